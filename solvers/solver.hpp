@@ -1,0 +1,100 @@
+#pragma once
+// What a solver is and what it returns.
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/parameter.hpp"
+#include "solvers/scene.hpp"
+
+namespace ordo::solvers {
+
+/// Positions, weights and fields of n points at one time; a value.
+struct Snapshot {
+    double t = 0;  ///< [s]
+    int dim = 1;
+    std::vector<double> X;        ///< where each point was in the undeformed body, n x dim [m]
+    std::vector<double> x;        ///< where it is now, n x dim [m]
+    std::vector<double> weights;  ///< volume that each point stands for now, n [m^dim]
+    std::vector<Field> fields;    ///< the fields that were asked for
+
+    std::size_t points() const { return weights.size(); }
+    const Field& field(const std::string& name) const;  ///< throws std::logic_error when it was not asked for
+};
+
+/// One counted or measured number with its name: "particle_steps", "mass".
+struct Figure {
+    std::string name;
+    double value = 0;
+};
+
+/// Thrown by a simulation that cannot go on: a result, not a fault of the program.
+struct Diverged : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Asked between steps; a run stops by throwing Interrupted when it answers true.
+using Interrupt = std::function<bool()>;
+struct Interrupted : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A running solution. Owns its state; not copied, never shared between threads.
+class Simulation {
+public:
+    virtual ~Simulation() = default;
+    /// On to exactly t [s], in equal steps not longer than the planned one. Throws Diverged or Interrupted.
+    virtual void advance_to(double t, const Interrupt& interrupt) = 0;
+    virtual Snapshot snapshot() const = 0;
+    virtual std::vector<Figure> work() const = 0;   ///< counted work so far: the same on every machine
+    virtual std::vector<Figure> drift() const = 0;  ///< relative defects of the conserved quantities so far
+};
+
+/// What a start will do, known before it runs: mesh width [m], largest time step [s] and number of points.
+struct Plan {
+    double h = 0;
+    double dt = 0;
+    double points = 0;
+};
+
+/// What a method promises, published with its source; tests hold it to this.
+struct Claim {
+    double order_in_space = 0;
+    double order_in_time = 0;
+    std::vector<std::string> conserves;
+    std::string provided;  ///< under which condition
+    std::string source;    ///< key of docs/references.bib
+};
+
+/// A method of solution, by name: its declared options and resolution, its claim, and the way to start it.
+struct Solver {
+    std::string name;
+    std::string about;
+    std::vector<std::string> source;    ///< keys of docs/references.bib
+    std::vector<Parameter> options;     ///< how it discretises
+    std::vector<Parameter> resolution;  ///< how finely: the axes that a sweep may use
+    std::vector<std::string> fields;    ///< names of standard fields that its snapshots can hold
+    std::function<Claim(const Values& options)> claim;
+    std::function<bool(const Scene&)> accepts;  ///< whether it can solve problems of this kind
+    /// Throws InputError on a scene or on values that do not go together; cheap.
+    std::function<Plan(const Scene&, const Values& options, const Values& resolution)> plan;
+    /// `fields` are those that snapshots will hold; what is not asked for is not computed.
+    std::function<std::unique_ptr<Simulation>(const Scene&, const Values& options, const Values& resolution,
+                                              std::span<const std::string> fields)>
+        start;
+};
+
+/// Number of equal steps not longer than dt that end at `duration`; a quotient within 1e-9 of a whole number is whole.
+long steps_to(double duration, double dt);
+
+/// All solvers, one line each in registry.cpp, in the order listed there.
+const std::vector<Solver>& all_solvers();
+
+/// The solver of that name. Throws InputError with the nearest name.
+const Solver& solver_named(const std::string& name, const std::string& where);
+
+}  // namespace ordo::solvers
