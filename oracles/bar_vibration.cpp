@@ -1,0 +1,72 @@
+#include "oracles/bar_vibration.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace ordo::oracles {
+namespace {
+
+constexpr double pi = boost::math::constants::pi<double>();
+
+template <class F>
+Exact::Evaluate scalar(F f) {
+    return [f](std::span<const double> x, double t, std::span<double> value) { value[0] = f(x[0], t); };
+}
+
+Exact bind(const Values& values) {
+    const BarVibration bar{
+        .L = values.number("L"),
+        .E = values.number("E"),
+        .rho = values.number("rho"),
+        .v0 = values.number("v0"),
+        .mode = values.whole("mode"),
+        .ends = values.word("ends") == "fixed_free" ? BarVibration::Ends::fixed_free : BarVibration::Ends::fixed_fixed};
+    return {.dim = 1,
+            .coordinates = Coordinates::material,
+            .lower = {0},
+            .upper = {bar.L},
+            .fields = {{{"displacement", "m", 1}, scalar([bar](double X, double t) { return bar.displacement(X, t); })},
+                       {{"velocity", "m/s", 1}, scalar([bar](double X, double t) { return bar.velocity(X, t); })},
+                       {{"stress", "Pa", 2}, scalar([bar](double X, double t) { return bar.stress(X, t); })},
+                       {{"strain", "-", 2}, scalar([bar](double X, double t) { return bar.strain(X, t); })}},
+            .jumps = [](double) { return std::vector<double>{}; }};
+}
+
+}  // namespace
+
+double BarVibration::wave_number() const {
+    return ends == Ends::fixed_free ? (2 * mode - 1) * pi / (2 * L) : mode * pi / L;
+}
+double BarVibration::frequency() const { return wave_number() * std::sqrt(E / rho); }
+
+double BarVibration::displacement(double X, double t) const {
+    return v0 / frequency() * std::sin(frequency() * t) * std::sin(wave_number() * X);
+}
+double BarVibration::velocity(double X, double t) const {
+    return v0 * std::cos(frequency() * t) * std::sin(wave_number() * X);
+}
+double BarVibration::strain(double X, double t) const {
+    return v0 / frequency() * std::sin(frequency() * t) * wave_number() * std::cos(wave_number() * X);
+}
+double BarVibration::stress(double X, double t) const { return E * strain(X, t); }
+
+Oracle bar_vibration() {
+    return {
+        .name = "bar_vibration",
+        .about = "One mode of an elastic bar, fixed at one end or at both",
+        .source = {"WobbesTielen2015"},
+        .parameters = {number("L", "m", 25, positive, "length"), number("E", "Pa", 100, positive, "Young's modulus"),
+                       number("rho", "kg/m", 1, positive, "density"),
+                       number("v0", "m/s", 0.1, finite, "amplitude of the velocity at t = 0"),
+                       whole("mode", 1, between(1, 1000), "which mode, counted from 1"),
+                       word("ends", "fixed_free",
+                            {{"fixed_free", "u = 0 at X = 0, no traction at X = L"},
+                             {"fixed_fixed", "u = 0 at both ends"}},
+                            "how the ends are held")},
+        .fields = standard_fields(),
+        .smoothness = "analytic in x and t",
+        .accuracy = "2 ulp times (1 + k X + omega t), relative to the field's amplitude",
+        .bind = bind};
+}
+
+}  // namespace ordo::oracles

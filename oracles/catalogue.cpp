@@ -1,0 +1,31 @@
+// THE list of exact solutions: one include and one line each.
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "oracles/bar_vibration.hpp"
+
+namespace ordo::oracles {
+
+const std::vector<Oracle>& all_oracles() {
+    static const std::vector<Oracle> list{
+        bar_vibration(),
+    };
+    return list;
+}
+
+const Oracle& oracle_named(const std::string& name, const std::string& where) {
+    std::vector<std::string> names;
+    for (const auto& oracle : all_oracles()) {
+        if (oracle.name == name) return oracle;
+        names.push_back(oracle.name);
+    }
+    throw InputError(where, "there is no exact solution '" + name + "'" + did_you_mean(name, names));
+}
+
+const Exact::Entry* Exact::find(const std::string& field) const {
+    for (const auto& entry : fields) {
+        if (entry.field.name == field) return &entry;
+    }
+    return nullptr;
+}
+
+}  // namespace ordo::oracles
