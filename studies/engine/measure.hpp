@@ -1,0 +1,18 @@
+#pragma once
+// From a snapshot to error figures: where solver and truth meet in numbers.
+#include <vector>
+
+#include "oracles/oracle.hpp"
+#include "solvers/solver.hpp"
+#include "studies/engine/result.hpp"
+
+namespace ordo::studies {
+
+/// Each quantity that is measured against the exact solution, at the snapshot's points and time.
+std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
+                                            const oracles::Exact& exact);
+
+/// One quantity against another run of the same points. Throws std::logic_error where the points differ in number.
+double error_against(const Quantity& quantity, const solvers::Snapshot& shot, const solvers::Snapshot& reference);
+
+}  // namespace ordo::studies

@@ -1,0 +1,120 @@
+#include "studies/engine/run.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "studies/engine/measure.hpp"
+#include "studies/engine/scene_entry.hpp"
+
+namespace ordo::studies {
+namespace {
+
+double thread_seconds() {
+    std::timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// True once the study is interrupted or the run has used up its time; `late` tells the second.
+solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, bool& late) {
+    if (!spec.timeout_s) return stop;
+    using clock = std::chrono::steady_clock;
+    const auto limit = clock::now() + std::chrono::duration<double>(*spec.timeout_s);
+    return [&stop, &late, limit] {
+        late = clock::now() > limit;
+        return late || stop();
+    };
+}
+
+std::vector<RunFigure> figures(const std::vector<solvers::Figure>& from) {
+    std::vector<RunFigure> to;
+    for (const auto& [name, value] : from) to.push_back({name, value});
+    return to;
+}
+
+/// Larger of both, quantity by quantity; NaN stays NaN.
+void raise(std::vector<RunFigure>& largest, const std::vector<RunFigure>& now) {
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        if (!(now[k].value <= largest[k].value))
+            largest[k].value = std::isnan(largest[k].value) ? largest[k].value : now[k].value;
+    }
+}
+
+/// To the end, and the errors there; or the largest errors over the ends of all steps.
+std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const RunSpec& spec,
+                                       const oracles::Exact& exact, const solvers::Interrupt& interrupt) {
+    const auto& quantities = spec.measure.quantities;
+    if (!quantities.front().maximum) {
+        simulation.advance_to(spec.t_end, interrupt);
+        return errors_against_exact(quantities, simulation.snapshot(), exact);
+    }
+    std::vector<RunFigure> largest = errors_against_exact(quantities, simulation.snapshot(), exact);
+    const long steps = solvers::steps_to(spec.t_end, spec.plan.dt);
+    for (long k = 1; k <= steps; ++k) {
+        const double t = k == steps ? spec.t_end : spec.t_end * static_cast<double>(k) / static_cast<double>(steps);
+        simulation.advance_to(t, interrupt);
+        raise(largest, errors_against_exact(quantities, simulation.snapshot(), exact));
+    }
+    return largest;
+}
+
+bool finite(const solvers::Snapshot& shot, std::string& which) {
+    for (const auto& field : shot.fields) {
+        for (const double value : field.values) {
+            if (std::isfinite(value)) continue;
+            which = field.name;
+            return false;
+        }
+    }
+    return true;
+}
+
+void run_to_end(const RunSpec& spec, const solvers::Interrupt& interrupt, RunOutcome& outcome) {
+    const SceneEntry& scene = scene_named(spec.scene.name, "");
+    const auto& solver = solvers::solver_named(spec.solver.name, "");
+    const auto simulation =
+        solver.start(scene.problem(spec.scene.values), spec.solver.options, spec.resolution, spec.measure.fields);
+    Run& run = outcome.run;
+    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), interrupt);
+    run.work = figures(simulation->work());
+    run.drift = figures(simulation->drift());
+    outcome.snapshot = simulation->snapshot();
+    std::string which;
+    if (!finite(*outcome.snapshot, which)) throw solvers::Diverged("the " + which + " is not finite at the end");
+}
+
+}  // namespace
+
+RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop) {
+    RunOutcome outcome;
+    Run& run = outcome.run;
+    run.id = spec.id;
+    run.solver = spec.solver.label;
+    run.axes = spec.axes;
+    run.h = spec.plan.h;
+    run.dt = spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
+    run.t = spec.t_end;
+    bool late = false;
+    const double begin = thread_seconds();
+    const auto ends = [&](Status status, const std::string& reason) {
+        run.status = status;
+        run.reason = reason;
+        run.errors.clear();
+        outcome.snapshot.reset();
+    };
+    try {
+        run_to_end(spec, interrupt_of(spec, stop, late), outcome);
+    } catch (const solvers::Interrupted&) {
+        if (!late) throw;
+        ends(Status::timed_out, "passed its time limit");
+    } catch (const solvers::Diverged& blown_up) {
+        ends(Status::diverged, blown_up.what());
+    } catch (const std::exception& error) {
+        ends(Status::failed, error.what());
+    }
+    run.seconds = thread_seconds() - begin;
+    return outcome;
+}
+
+}  // namespace ordo::studies

@@ -1,0 +1,70 @@
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "studies/engine/judge.hpp"
+
+namespace ordo::studies {
+namespace {
+
+/// One way to refine: which axes move, and what the abscissa is.
+struct Refinement {
+    std::vector<std::string> moving;
+    std::string abscissa;
+    std::string shown;
+};
+
+bool swept(const Study& study, const std::string& name) {
+    return std::any_of(study.sweep.axes.begin(), study.sweep.axes.end(),
+                       [&](const Axis& axis) { return axis.name == name; });
+}
+
+std::vector<Refinement> refinements(const Study& study) {
+    const std::string step = swept(study, "courant") ? "courant" : "dt";
+    const Refinement space{{"cells"}, "h", "cells"};
+    const Refinement time{{step}, "dt", step};
+    switch (study.sweep.path) {
+        case Path::space: return {space};
+        case Path::time: return {time};
+        case Path::joint: return {{{"cells", "dt"}, "h", "cells"}};
+        case Path::grid: break;
+    }
+    return {space, time};
+}
+
+bool moves(const Refinement& refinement, const std::string& axis) {
+    return std::find(refinement.moving.begin(), refinement.moving.end(), axis) != refinement.moving.end();
+}
+
+/// What all runs of the series share and other series do not: "mpm usl, ppc = 4".
+std::string label_of(const Study& study, const Run& run, const Refinement& refinement) {
+    std::string label = study.solvers.size() > 1 ? run.solver : "";
+    for (const auto& axis : study.sweep.axes) {
+        if (moves(refinement, axis.name) || axis.values.size() == 1) continue;
+        label += (label.empty() ? "" : ", ") + axis.name + " = " + shortest(run.axis(axis.name));
+    }
+    return label.empty() ? run.solver : label;
+}
+
+}  // namespace
+
+std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs) {
+    std::vector<Series> all;
+    for (const auto& refinement : refinements(study)) {
+        const std::size_t first = all.size();
+        for (const auto& run : runs) {
+            const std::string label = label_of(study, run, refinement);
+            auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                                      [&](const Series& series) { return series.label == label; });
+            if (found == all.end()) found = all.insert(all.end(), {label, refinement.abscissa, refinement.shown, {}});
+            found->runs.push_back(run.id);
+        }
+    }
+    for (auto& series : all) {
+        const auto abscissa = [&](int id) { return runs[static_cast<std::size_t>(id)].axis(series.abscissa); };
+        std::stable_sort(series.runs.begin(), series.runs.end(),
+                         [&](int a, int b) { return abscissa(a) > abscissa(b); });
+    }
+    return all;
+}
+
+}  // namespace ordo::studies

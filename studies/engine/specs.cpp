@@ -1,0 +1,96 @@
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "studies/engine/run.hpp"
+#include "studies/engine/scene_entry.hpp"
+
+namespace ordo::studies {
+namespace {
+
+constexpr std::size_t most_runs = 100'000;
+constexpr double most_steps = 1e9;
+
+using Point = std::vector<RunFigure>;
+
+/// Axes that are stepped through together count as one.
+std::vector<Point> points_of(const Sweep& sweep) {
+    std::vector<Point> points{{}};
+    bool dt_zipped = false;
+    for (const auto& axis : sweep.axes) dt_zipped = dt_zipped || (sweep.path == Path::joint && axis.name == "dt");
+    for (const auto& axis : sweep.axes) {
+        if (dt_zipped && axis.name == "dt") continue;
+        std::vector<Point> longer;
+        for (const auto& point : points) {
+            for (std::size_t k = 0; k < axis.values.size(); ++k) {
+                longer.push_back(point);
+                longer.back().push_back({axis.name, axis.values[k]});
+                if (!dt_zipped || axis.name != "cells") continue;
+                for (const auto& other : sweep.axes) {
+                    if (other.name == "dt") longer.back().push_back({"dt", other.values[k]});
+                }
+            }
+        }
+        points = std::move(longer);
+        if (points.size() > most_runs)
+            throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
+    }
+    return points;
+}
+
+std::string text_of_point(const Point& point) {
+    std::string text;
+    for (const auto& [name, value] : point) text += (text.empty() ? "" : ", ") + name + " = " + shortest(value);
+    return text;
+}
+
+RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& point, const solvers::Scene& problem) {
+    const auto& solver = solvers::solver_named(choice.name, "");
+    Given given;
+    for (const auto& [name, value] : point) given.emplace(name, value);
+    const std::string where = study.name + ": run " + choice.label + ", " + text_of_point(point);
+    RunSpec spec;
+    spec.scene = study.scene;
+    spec.solver = choice;
+    spec.axes = point;
+    spec.resolution = resolve(solver.resolution, given, where, "solver " + solver.name);
+    spec.measure = study.measure;
+    spec.timeout_s = study.timeout_s;
+    try {
+        spec.plan = solver.plan(problem, choice.options, spec.resolution);
+    } catch (const InputError& error) {
+        throw InputError(where, error.what());
+    }
+    const double steps = study.measure.until == Until::steps ? study.measure.at : study.measure.at / spec.plan.dt;
+    if (!(steps < most_steps)) throw InputError(where, "asks for more than " + shortest(most_steps) + " steps");
+    spec.t_end = end_time(study.measure, spec.plan.dt);
+    spec.cost = spec.plan.points * steps;
+    return spec;
+}
+
+}  // namespace
+
+double end_time(const Measure& measure, double dt) {
+    if (measure.until == Until::exact) return measure.at;
+    if (measure.until == Until::steps) return measure.at * dt;
+    double t = 0;
+    while (t < measure.at) t += dt;
+    return t;
+}
+
+std::vector<RunSpec> specs_of(const Study& study) {
+    const auto problem = scene_named(study.scene.name, "").problem(study.scene.values);
+    const auto points = points_of(study.sweep);
+    std::vector<RunSpec> specs;
+    for (const auto& choice : study.solvers) {
+        for (const auto& point : points) {
+            specs.push_back(spec_of(study, choice, point, problem));
+            specs.back().id = static_cast<int>(specs.size()) - 1;
+        }
+    }
+    if (specs.size() > most_runs)
+        throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
+    return specs;
+}
+
+}  // namespace ordo::studies

@@ -1,0 +1,128 @@
+#pragma once
+// A study: the question, as plain data. study_reader.hpp makes one from a file.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parameter.hpp"
+
+namespace ordo::studies {
+
+/// A scene by name, with all its values.
+struct SceneChoice {
+    std::string name;
+    Values values;
+};
+
+/// A solver by name, with all its options. `label` tells it from the study's other solvers: "mpm usl".
+struct SolverChoice {
+    std::string name;
+    Values options;
+    std::string label;
+};
+
+/// One swept number: cells, ppc, dt, courant or whatever the solvers declare as resolution.
+struct Axis {
+    std::string name;
+    std::vector<double> values;
+};
+
+/// Along which line the resolution is refined: h alone, dt alone, both together, or every pair of them.
+enum class Path { space, time, joint, grid };
+
+struct Sweep {
+    std::vector<Axis> axes;
+    Path path = Path::space;
+};
+
+/// How the end is reached: exactly at t; where t += dt first reaches it, as many papers loop; or after n steps of dt.
+enum class Until { exact, accumulated, steps };
+/// What an error is measured against: the exact solution, or the run with the smallest dt of the same series.
+enum class Against { exact, finest };
+enum class Norm { rms, l1, l2, linf };
+
+/// One error figure that every run is asked for. `maximum` is over the ends of all steps instead of the last one.
+struct Quantity {
+    std::string field;
+    Norm norm = Norm::rms;
+    Against against = Against::exact;
+    bool maximum = false;
+
+    std::string key() const;  ///< "displacement.rms", "velocity.linf.max", "displacement.rms@finest"
+    bool operator==(const Quantity&) const = default;
+};
+
+struct Measure {
+    double at = 0;  ///< time [s]; number of steps where until is `steps`
+    Until until = Until::exact;
+    std::vector<std::string> fields;
+    std::vector<Quantity> quantities;  ///< fields x norms x against
+};
+
+/// "cells <= 32": one condition on a swept number.
+struct Condition {
+    std::string axis;
+    std::string op;  ///< one of < <= = >= >
+    double value = 0;
+
+    bool holds(double found) const;
+};
+
+/// A claim that the gate holds the runs to, with its source.
+struct Expectation {
+    enum class Kind { order, error_at_most, exact_within };
+
+    Kind kind = Kind::order;
+    double value = 0;                     ///< the order, or the bound in the field's unit
+    double within = 0;                    ///< half-width of the band around an order
+    std::vector<Condition> where;         ///< which runs it speaks of; empty: all
+    std::vector<std::string> quantities;  ///< keys it speaks of; empty: all
+    std::vector<std::string> solvers;     ///< labels it speaks of; empty: all
+    std::string source;                   ///< key of docs/references.bib, or a sentence
+};
+
+/// A value as a paper prints it, at its place in the sweep.
+struct PublishedValue {
+    std::map<std::string, double> axes;
+    std::string printed;
+};
+
+/// How to hold runs to printed values: by every printed digit, by a relative band, or not at all (then `because`).
+enum class Compare { digits, band, none };
+
+struct Published {
+    std::string id;
+    std::string title;
+    std::string source;
+    std::string solver;    ///< label of the solver it is about; empty where the study has one solver
+    std::string quantity;  ///< key
+    Compare compare = Compare::digits;
+    double band = 0;
+    std::string because;
+    std::vector<PublishedValue> values;
+};
+
+struct Study {
+    std::string name;
+    std::string about;
+    std::vector<std::string> source;
+    SceneChoice scene;
+    std::vector<SolverChoice> solvers;
+    Sweep sweep;
+    Measure measure;
+    std::vector<Expectation> expect;
+    std::vector<Published> published;
+    bool diverged_allowed = false;
+    std::optional<double> timeout_s;  ///< of each run
+    std::string document;  ///< the whole question as JSON, published values included: reads back as this study
+};
+
+using ordo::text_of;
+std::string text_of(Norm norm);
+std::string text_of(const std::vector<Condition>& where);
+std::string text_of(Path path);
+std::string text_of(Until until);
+std::string text_of(Compare compare);
+
+}  // namespace ordo::studies

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <regex>
+
+#include "core/text.hpp"
+#include "studies/reader/parts.hpp"
+
+namespace ordo::studies {
+namespace {
+
+std::vector<std::string> axis_names(const Study& study) {
+    std::vector<std::string> names;
+    for (const auto& axis : study.sweep.axes) names.push_back(axis.name);
+    return names;
+}
+
+std::vector<std::string> quantity_keys(const Study& study) {
+    std::vector<std::string> keys;
+    for (const auto& quantity : study.measure.quantities) keys.push_back(quantity.key());
+    return keys;
+}
+
+std::vector<std::string> solver_labels(const Study& study) {
+    std::vector<std::string> labels;
+    for (const auto& solver : study.solvers) labels.push_back(solver.label);
+    return labels;
+}
+
+/// "cells <= 32" as a condition on a swept axis.
+Condition condition_from(const Node& node, const Study& study) {
+    static const std::regex form(R"(\s*([A-Za-z_]\w*)\s*(<=|>=|<|>|=)\s*([-+.\w]+)\s*)");
+    const std::string text = node.text();
+    std::smatch parts;
+    if (!std::regex_match(text, parts, form))
+        node.refuse("is '" + text + "', but must be: axis op number, for instance 'cells <= 32'");
+    const Value value = value_from(parts[3]);
+    if (!std::holds_alternative<double>(value)) node.refuse("'" + parts[3].str() + "' is not a number");
+    const auto names = axis_names(study);
+    if (std::find(names.begin(), names.end(), parts[1].str()) == names.end()) {
+        node.refuse("'" + parts[1].str() + "' is not an axis of the sweep" + did_you_mean(parts[1].str(), names));
+    }
+    return {parts[1], parts[2], std::get<double>(value)};
+}
+
+double positive_number(const Node& node) {
+    const double value = node.number();
+    if (!(value > 0) || !std::isfinite(value)) node.refuse("is " + shortest(value) + ", but must be > 0");
+    return value;
+}
+
+Expectation expectation_from(const Node& node, const Study& study) {
+    static const std::array<std::string, 3> kinds{"order", "error_at_most", "exact_within"};
+    node.only({"order", "within", "error_at_most", "exact_within", "where", "of", "solver", "source"});
+    Expectation expectation;
+    int claims = 0;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        if (!node.has(kinds[k])) continue;
+        ++claims;
+        expectation.kind = static_cast<Expectation::Kind>(k);
+        expectation.value = k == 0 ? node.at(kinds[k]).number() : positive_number(node.at(kinds[k]));
+    }
+    if (claims != 1) node.refuse("must hold exactly one of: order, error_at_most, exact_within");
+    const bool order = expectation.kind == Expectation::Kind::order;
+    if (order) expectation.within = positive_number(node.at("within"));
+    else if (node.has("within")) node.at("within").refuse("belongs to 'order' only");
+    if (node.has("where")) {
+        for (const auto& item : node.at("where").items()) expectation.where.push_back(condition_from(item, study));
+    }
+    if (node.has("of")) {
+        for (const auto& item : node.at("of").items()) {
+            item.one_of(quantity_keys(study));
+            expectation.quantities.push_back(item.text());
+        }
+    }
+    if (node.has("solver")) {
+        for (const auto& item : node.at("solver").items()) {
+            item.one_of(solver_labels(study));
+            expectation.solvers.push_back(item.text());
+        }
+    }
+    expectation.source = node.at("source").text();
+    return expectation;
+}
+
+PublishedValue published_value(const Node& row, const Study& study) {
+    static const std::regex decimal(R"(-?\d+(\.\d+)?([eE][-+]?\d+)?)");
+    PublishedValue value;
+    auto allowed = axis_names(study);
+    allowed.push_back("value");
+    row.only(allowed);
+    for (const auto& member : row.members()) {
+        if (member.key() != "value") value.axes[member.key()] = member.number();
+    }
+    value.printed = row.at("value").text();
+    if (!std::regex_match(value.printed, decimal))
+        row.at("value").refuse("is '" + value.printed + "', but must be a decimal number as printed");
+    for (const auto& axis : study.sweep.axes) {
+        if (axis.values.size() > 1 && !value.axes.contains(axis.name))
+            row.refuse("does not say which '" + axis.name + "'");
+    }
+    return value;
+}
+
+Published published_table(const Node& node, const Study& study) {
+    node.only({"table", "compare", "band", "because", "solver"});
+    Published published;
+    const Node table = node.at("table");
+    table.only({"id", "title", "source", "quantity", "rows"});
+    published.id = table.at("id").text();
+    published.title = table.at("title").text();
+    published.source = table.at("source").text();
+    table.at("quantity").one_of(quantity_keys(study));
+    published.quantity = table.at("quantity").text();
+    published.compare = static_cast<Compare>(node.at("compare").one_of({"digits", "band", "none"}));
+    if (published.compare == Compare::band) published.band = positive_number(node.at("band"));
+    else if (node.has("band")) node.at("band").refuse("belongs to compare 'band' only");
+    if (published.compare == Compare::none || node.has("because")) published.because = node.at("because").text();
+    if (node.has("solver")) node.at("solver").one_of(solver_labels(study));
+    else if (study.solvers.size() > 1)
+        node.refuse("must name its 'solver', since the study has several (" + joined(solver_labels(study)) + ")");
+    published.solver = node.has("solver") ? node.at("solver").text() : study.solvers.front().label;
+    for (const auto& row : table.at("rows").items()) published.values.push_back(published_value(row, study));
+    if (published.values.empty()) table.at("rows").refuse("is an empty list");
+    return published;
+}
+
+}  // namespace
+
+std::vector<Expectation> expectations_from(const Node& node, const Study& study) {
+    std::vector<Expectation> expectations;
+    for (const auto& item : node.items()) expectations.push_back(expectation_from(item, study));
+    return expectations;
+}
+
+void inline_published(Json& document, const std::string& where, const std::string& folder) {
+    if (!document.is_object() || !document.contains("published")) return;
+    auto& published = document["published"];
+    if (!published.is_array()) published = Json::array({published});
+    std::size_t index = 0;
+    for (auto& entry : published) {
+        const Node node(entry, where, "/published/" + std::to_string(index++));
+        if (!node.has("file")) continue;
+        node.only({"file", "compare", "band", "because", "solver"});
+        const auto path = (std::filesystem::path(folder) / node.at("file").text()).string();
+        Json table = parse_json(read_text(path), path);
+        Json complete{{"table", std::move(table)}};
+        for (const auto& [name, value] : entry.items()) {
+            if (name != "file") complete[name] = value;
+        }
+        entry = std::move(complete);
+    }
+}
+
+std::vector<Published> published_from(const Node& node, const Study& study) {
+    std::vector<Published> tables;
+    for (const auto& item : node.items()) tables.push_back(published_table(item, study));
+    return tables;
+}
+
+}  // namespace ordo::studies

@@ -1,0 +1,26 @@
+#pragma once
+// Parts of the study reader; study_reader.cpp puts them together.
+#include <vector>
+
+#include "studies/engine/study.hpp"
+#include "studies/reader/json_input.hpp"
+#include "studies/reader/study_reader.hpp"
+
+namespace ordo::studies {
+
+/// Puts one `--set` into the document. Throws InputError where the study has no such place.
+void put_setting(Json& document, const Setting& setting);
+
+/// The axes and the path, each value checked against what the solvers declare, and the path against the axes.
+Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices);
+
+/// The expectations; conditions must name swept axes, quantities must be measured.
+std::vector<Expectation> expectations_from(const Node& node, const Study& study);
+
+/// Replaces each `published.file` by the table in it, so that the document is complete.
+void inline_published(Json& document, const std::string& where, const std::string& folder);
+
+/// The published tables; rows must name swept axes, values must be decimal numbers.
+std::vector<Published> published_from(const Node& node, const Study& study);
+
+}  // namespace ordo::studies

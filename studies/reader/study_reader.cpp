@@ -1,0 +1,198 @@
+#include "studies/reader/study_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solvers/solver.hpp"
+#include "studies/engine/scene_entry.hpp"
+#include "studies/reader/json_input.hpp"
+#include "studies/reader/parts.hpp"
+
+namespace ordo::studies {
+namespace {
+
+Given given_from(const Node& node) {
+    Given given;
+    for (const auto& member : node.members()) {
+        if (member.key() != "name") given.emplace(member.key(), member.value());
+    }
+    return given;
+}
+
+SceneChoice scene_from(const Node& node) {
+    if (!node.is_object()) node.refuse("must be an object with a 'name'");
+    const SceneEntry& entry = scene_named(node.at("name").text(), node.at("name").where());
+    return {entry.name, resolve(entry.parameters, given_from(node), node.where(), "scene " + entry.name)};
+}
+
+/// One solver entry; a list in an option stands for one solver each.
+std::vector<SolverChoice> solvers_from(const Node& node) {
+    if (!node.is_object()) node.refuse("must be an object with a 'name'");
+    const auto& solver = solvers::solver_named(node.at("name").text(), node.at("name").where());
+    std::vector<Given> variants{{}};
+    for (const auto& member : node.members()) {
+        if (member.key() == "name") continue;
+        const auto choices = member.items();
+        if (choices.empty()) member.refuse("is an empty list");
+        std::vector<Given> longer;
+        for (const auto& variant : variants) {
+            for (const auto& choice : choices) {
+                longer.push_back(variant);
+                longer.back().emplace(member.key(), choice.value());
+            }
+        }
+        variants = std::move(longer);
+    }
+    std::vector<SolverChoice> choices;
+    for (const auto& given : variants) {
+        choices.push_back({solver.name, resolve(solver.options, given, node.where(), "solver " + solver.name), ""});
+    }
+    return choices;
+}
+
+std::vector<SolverChoice> all_that_accept(const solvers::Scene& scene) {
+    std::vector<SolverChoice> choices;
+    for (const auto& solver : solvers::all_solvers()) {
+        if (solver.accepts(scene)) choices.push_back({solver.name, resolve(solver.options, {}, "", solver.name), ""});
+    }
+    return choices;
+}
+
+/// Labels tell solvers apart by what differs between them: "mpm usl", "mpm usl, half_kick = true".
+void label(std::vector<SolverChoice>& choices, const Node& node) {
+    std::set<std::string> labels;
+    for (auto& choice : choices) {
+        choice.label = choice.name;
+        for (const auto& [name, value] : choice.options.all()) {
+            const auto differs = [&](const SolverChoice& other) {
+                return other.name == choice.name && other.options.all().at(name) != value;
+            };
+            if (std::none_of(choices.begin(), choices.end(), differs)) continue;
+            choice.label += std::holds_alternative<std::string>(value) ? " " + text_of(value)
+                                                                       : ", " + name + " = " + text_of(value);
+        }
+        if (!labels.insert(choice.label).second) node.refuse("the solver '" + choice.label + "' is listed twice");
+    }
+}
+
+std::vector<SolverChoice> all_solvers_from(const Node& node, const SceneChoice& scene) {
+    const solvers::Scene problem = scene_named(scene.name, "").problem(scene.values);
+    std::vector<SolverChoice> choices;
+    if (node.is_text()) {
+        node.one_of({"all"});
+        choices = all_that_accept(problem);
+    } else {
+        for (const auto& item : node.items()) {
+            for (auto& choice : solvers_from(item)) choices.push_back(std::move(choice));
+        }
+    }
+    if (choices.empty()) node.refuse("no solver takes part");
+    for (const auto& choice : choices) {
+        if (!solvers::solver_named(choice.name, "").accepts(problem)) {
+            node.refuse("solver " + choice.name + " does not accept the scene " + scene.name);
+        }
+    }
+    label(choices, node);
+    return choices;
+}
+
+/// Every solver and the exact solution must have each field.
+void check_fields(const Node& node, const Study& study) {
+    const auto exact = scene_named(study.scene.name, "").truth(study.scene.values);
+    for (const auto& item : node.items()) {
+        std::vector<std::string> known;
+        for (const auto& entry : exact.fields) known.push_back(entry.field.name);
+        for (const auto& choice : study.solvers) {
+            const auto& offered = solvers::solver_named(choice.name, "").fields;
+            std::erase_if(known, [&](const std::string& name) {
+                return std::find(offered.begin(), offered.end(), name) == offered.end();
+            });
+        }
+        item.one_of(known);
+    }
+}
+
+Measure measure_from(const Node& node, const Study& study) {
+    node.only({"at", "until", "fields", "norms", "over", "against"});
+    Measure measure;
+    measure.at = node.at("at").number();
+    if (node.has("until"))
+        measure.until = static_cast<Until>(node.at("until").one_of({"exact", "accumulated", "steps"}));
+    if (!(measure.at > 0) || !std::isfinite(measure.at))
+        node.at("at").refuse("is " + shortest(measure.at) + ", but must be > 0");
+    if (measure.until == Until::steps && measure.at != std::floor(measure.at)) {
+        node.at("at").refuse("is " + shortest(measure.at) + ", but must be a whole number of steps");
+    }
+    measure.fields = node.at("fields").texts();
+    if (measure.fields.empty()) node.at("fields").refuse("is an empty list");
+    check_fields(node.at("fields"), study);
+    std::vector<Norm> norms{Norm::rms};
+    if (node.has("norms")) {
+        norms.clear();
+        for (const auto& item : node.at("norms").items())
+            norms.push_back(static_cast<Norm>(item.one_of({"rms", "l1", "l2", "linf"})));
+        if (norms.empty()) node.at("norms").refuse("is an empty list");
+    }
+    const bool maximum = node.has("over") && node.at("over").one_of({"final", "maximum"}) == 1;
+    std::vector<Against> against{Against::exact};
+    if (node.has("against")) {
+        against.clear();
+        for (const auto& item : node.at("against").items())
+            against.push_back(static_cast<Against>(item.one_of({"exact", "finest"})));
+        if (against.empty()) node.at("against").refuse("is an empty list");
+    }
+    for (const Against truth : against) {
+        if (truth == Against::finest && (study.sweep.path != Path::time || maximum)) {
+            node.refuse("'against' may be 'finest' only where the sweep's path is 'time' and 'over' is 'final'");
+        }
+        for (const auto& field : measure.fields) {
+            for (const Norm norm : norms) measure.quantities.push_back({field, norm, truth, maximum});
+        }
+    }
+    return measure;
+}
+
+Study study_from(Json document, const std::string& where, const std::string& folder) {
+    inline_published(document, where, folder);
+    const Node root(document, where);
+    root.only({"study", "about", "source", "scene", "solvers", "sweep", "measure", "expect", "published", "allow",
+               "timeout_s"});
+    Study study;
+    study.name = root.at("study").text();
+    if (study.name.empty()) root.at("study").refuse("is empty");
+    if (root.has("about")) study.about = root.at("about").text();
+    if (root.has("source")) study.source = root.at("source").texts();
+    study.scene = scene_from(root.at("scene"));
+    study.solvers = all_solvers_from(root.at("solvers"), study.scene);
+    study.sweep = sweep_from(root.at("sweep"), study.solvers);
+    study.measure = measure_from(root.at("measure"), study);
+    if (root.has("expect")) study.expect = expectations_from(root.at("expect"), study);
+    if (root.has("published")) study.published = published_from(root.at("published"), study);
+    if (root.has("allow")) {
+        for (const auto& item : root.at("allow").items()) study.diverged_allowed = item.one_of({"diverged"}) == 0;
+    }
+    if (root.has("timeout_s")) {
+        study.timeout_s = root.at("timeout_s").number();
+        if (!(*study.timeout_s > 0)) root.at("timeout_s").refuse("must be > 0");
+    }
+    study.document = document.dump();
+    return study;
+}
+
+}  // namespace
+
+Study read_study(const std::string& path, const std::vector<Setting>& settings) {
+    Json document = parse_json(read_text(path), path);
+    for (const auto& setting : settings) put_setting(document, setting);
+    return study_from(std::move(document), path, std::filesystem::path(path).parent_path().string());
+}
+
+Study study_from_text(const std::string& text, const std::string& where, const std::string& folder) {
+    return study_from(parse_json(text, where), where, folder);
+}
+
+}  // namespace ordo::studies
