@@ -1,0 +1,21 @@
+# bash completion of ordo, made by: ordo completion
+_ordo() {
+    local word="${COMP_WORDS[COMP_CWORD]}" words
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve --help --version" -- "$word")
+        return
+    fi
+    case "${COMP_WORDS[1]}" in
+        list) words="--help scenes solvers oracles norms studies schema" ;;
+        run) words="--help --out --jobs --set" ;;
+        check) words="--help --against --junit" ;;
+        accept) words="--help --because --into --band" ;;
+        table) words="--help --format" ;;
+        plot) words="--help --out --format" ;;
+        oracle) words="--help --set --t --x --grid --format" ;;
+        solve) words="--help --solver --t --set --out --format" ;;
+        *) words="" ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")
+}
+complete -o filenames -F _ordo ordo

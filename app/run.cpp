@@ -1,0 +1,114 @@
+// ordo run: from study files to reports.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <thread>
+
+#include "app/command.hpp"
+#include "app/terminal.hpp"
+#include "core/error.hpp"
+#include "reports/report.hpp"
+#include "reports/table.hpp"
+#include "studies/engine/engine.hpp"
+#include "studies/engine/judge.hpp"
+#include "studies/engine/run.hpp"
+#include "studies/reader/study_reader.hpp"
+
+namespace ordo::app {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void ask_to_stop(int) { stop_asked = true; }
+
+/// -o names the report of one study, or with a '/' at its end the folder for all of them.
+std::string output_of(const std::string& out, const studies::Study& study, std::size_t studies) {
+    if (out.empty()) return "ordo-reports/" + reports::safe_path(study.name) + ".json";
+    if (out.back() == '/') return out + reports::safe_path(study.name) + ".json";
+    if (studies > 1) throw InputError("ordo run -o " + out, "several studies need a folder (nearest: '" + out + "/')");
+    return out;
+}
+
+struct Job {
+    studies::Study study;
+    std::string output;
+};
+
+/// Everything that can be wrong is found here, before the first run.
+std::vector<Job> jobs_from(const po::variables_map& options, const std::vector<std::string>& files) {
+    if (files.empty()) throw InputError("ordo run", "names no study; usage: ordo run STUDY...");
+    std::vector<studies::Setting> settings;
+    if (options.contains("set")) {
+        for (const auto& text : options["set"].as<std::vector<std::string>>()) settings.push_back(studies::setting_from(text));
+    }
+    std::vector<Job> jobs;
+    std::set<std::string> outputs;
+    for (const auto& file : files) {
+        auto study = studies::read_study(file, settings);
+        studies::specs_of(study);
+        const auto output = output_of(options.contains("out") ? options["out"].as<std::string>() : "", study, files.size());
+        std::error_code error;
+        if (std::filesystem::equivalent(file, output, error)) throw InputError(output, "the report would overwrite its study");
+        if (!outputs.insert(output).second) throw InputError(file, "its report would overwrite that of another study: " + output);
+        jobs.push_back({std::move(study), output});
+    }
+    for (const auto& job : jobs) reports::check_writable(job.output);
+    return jobs;
+}
+
+int code_of(const studies::Result& result) {
+    const auto broken = [](const studies::Run& run) { return run.status == studies::Status::failed || run.status == studies::Status::timed_out; };
+    if (std::any_of(result.runs.begin(), result.runs.end(), broken)) return run_broken;
+    return result.verdict == studies::Verdict::fail ? gate_failed : all_hold;
+}
+
+int run_job(const Job& job, int threads) {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<studies::Run> runs;
+    {
+        ProgressLine line(job.study.name);
+        runs = studies::run_all(job.study, {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    const reports::Report report{studies::judged(job.study, std::move(runs)), reports::provenance_here(threads, seconds.count())};
+    reports::write_whole(job.output, reports::to_json(report));
+    std::cout << reports::table(report, reports::TableFormat::text) << "report: " << job.output << "\n" << std::flush;
+    return code_of(report.result);
+}
+
+int run(const po::variables_map& options, const std::vector<std::string>& files) {
+    const int threads = options["jobs"].as<int>();
+    if (threads < 1 || threads > 1024) throw InputError("ordo run --jobs", "is " + std::to_string(threads) + ", but must be in [1, 1024]");
+    const auto jobs = jobs_from(options, files);
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    int code = all_hold;
+    for (const auto& job : jobs) code = std::max(code, run_job(job, threads));
+    return code;
+}
+
+}  // namespace
+
+Command run_command() {
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    po::options_description options("options");
+    options.add_options()
+        ("out,o", po::value<std::string>()->value_name("REPORT"), "where the report goes; a folder if it ends with '/' (default ordo-reports/<study>.json)")
+        ("jobs,j", po::value<int>()->value_name("N")->default_value(cores), "runs at a time; the results are the same for any number")
+        ("set", po::value<std::vector<std::string>>()->value_name("path=value"), "change one member of the study, for instance sweep.cells=4,8,16; may be repeated");
+    return {.name = "run",
+            .about = "run studies, write their reports, print their tables",
+            .usage = "STUDY... [-o REPORT] [--jobs N] [--set path=value]...",
+            .examples = {"ordo run studies/wobbes_tielen_2015/vibrating_bar.json",
+                         "ordo run studies/wobbes_tielen_2015/vibrating_bar_dt.json -o dt.json --set sweep.ppc=6"},
+            .options = options,
+            .most_arguments = -1,
+            .run = run};
+}
+
+}  // namespace ordo::app

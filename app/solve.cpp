@@ -1,0 +1,123 @@
+// ordo solve: one run of one solver, its fields as columns.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <map>
+
+#include "app/columns.hpp"
+#include "app/command.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "reports/files.hpp"
+#include "solvers/solver.hpp"
+#include "studies/engine/engine.hpp"
+#include "studies/engine/scene_entry.hpp"
+#include "studies/reader/study_reader.hpp"
+
+namespace ordo::app {
+namespace {
+
+constexpr double most_steps = 1e9;
+
+std::atomic<bool> stop_asked{false};
+
+void ask_to_stop(int) { stop_asked = true; }
+
+/// --set scene.E=50, solver.stress_update=usl, resolution.cells=64, by their first word.
+std::map<std::string, Given> settings(const po::variables_map& options) {
+    const std::vector<std::string> kinds{"scene", "solver", "resolution"};
+    std::map<std::string, Given> given;
+    if (!options.contains("set")) return given;
+    for (const auto& text : options["set"].as<std::vector<std::string>>()) {
+        const auto setting = studies::setting_from(text);
+        const auto dot = setting.path.find('.');
+        const std::string kind = setting.path.substr(0, dot);
+        if (dot == std::string::npos || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+            throw InputError("ordo solve --set " + text, "must begin with scene., solver. or resolution." + did_you_mean(kind, kinds));
+        }
+        given[kind][setting.path.substr(dot + 1)] = studies::value_from(setting.value);
+    }
+    return given;
+}
+
+std::vector<Column> columns_of(const solvers::Snapshot& shot) {
+    const auto dim = static_cast<std::size_t>(shot.dim);
+    std::vector<Column> columns;
+    const auto add = [&](const std::string& field, const std::string& unit, const std::vector<double>& values, std::size_t components) {
+        const auto names = component_names(field, static_cast<int>(components), shot.dim);
+        for (std::size_t k = 0; k < components; ++k) {
+            columns.push_back({names[k], unit, {}});
+            for (std::size_t i = 0; i < shot.points(); ++i) columns.back().values.push_back(values[i * components + k]);
+        }
+    };
+    add("X", "m", shot.X, dim);
+    add("x", "m", shot.x, dim);
+    add("volume", dim == 1 ? "m" : "m^" + std::to_string(dim), shot.weights, 1);
+    for (const auto& field : shot.fields) {
+        std::string unit;
+        for (const auto& info : standard_fields()) {
+            if (info.name == field.name) unit = info.unit;
+        }
+        add(field.name, unit, field.values, static_cast<std::size_t>(field.components));
+    }
+    return columns;
+}
+
+int run(const po::variables_map& options, const std::vector<std::string>& words) {
+    if (words.size() != 1) throw InputError("ordo solve", "names no scene; usage: ordo solve SCENE --solver NAME --t T");
+    if (!options.contains("solver")) throw InputError("ordo solve", "needs --solver NAME");
+    if (!options.contains("t")) throw InputError("ordo solve", "needs --t T");
+    const double t = options["t"].as<double>();
+    if (!(t > 0) || !std::isfinite(t)) throw InputError("ordo solve --t", "is " + shortest(t) + ", but must be > 0");
+    auto given = settings(options);
+    const auto& scene = studies::scene_named(words.front(), "ordo solve");
+    const auto& solver = solvers::solver_named(options["solver"].as<std::string>(), "ordo solve --solver");
+    const auto problem = scene.problem(resolve(scene.parameters, given["scene"], "ordo solve --set", "scene " + scene.name));
+    const auto values = resolve(solver.options, given["solver"], "ordo solve --set", "solver " + solver.name);
+    const auto resolution = resolve(solver.resolution, given["resolution"], "ordo solve --set", "solver " + solver.name);
+    if (!solver.accepts(problem)) throw InputError("ordo solve", "solver " + solver.name + " does not accept the scene " + scene.name);
+    const auto plan = solver.plan(problem, values, resolution);
+    if (!(t / plan.dt < most_steps)) throw InputError("ordo solve", "asks for more than " + shortest(most_steps) + " steps");
+    const auto format = options["format"].as<std::string>();
+    columns_as(format, {}, "ordo solve");
+    const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
+    if (!out.empty()) reports::check_writable(out);
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    const auto simulation = solver.start(problem, values, resolution, solver.fields);
+    try {
+        simulation->advance_to(t, [] { return stop_asked.load(std::memory_order_relaxed); });
+    } catch (const solvers::Interrupted&) {
+        throw studies::StudyInterrupted{};
+    } catch (const solvers::Diverged& error) {
+        std::cerr << "ordo: the run diverged: " << error.what() << '\n';
+        return gate_failed;
+    }
+    const auto text = columns_as(format, columns_of(simulation->snapshot()), "ordo solve");
+    if (out.empty()) std::cout << text;
+    else reports::write_whole(out, text);
+    return all_hold;
+}
+
+}  // namespace
+
+Command solve_command() {
+    po::options_description options("options");
+    options.add_options()
+        ("solver", po::value<std::string>()->value_name("NAME"), "which solver")
+        ("t", po::value<double>()->value_name("T"), "end of the run [s]")
+        ("set", po::value<std::vector<std::string>>()->value_name("path=value"), "scene.k=v, solver.k=v or resolution.k=v; may be repeated")
+        ("out,o", po::value<std::string>()->value_name("FILE"), "where the columns go (default standard output)")
+        ("format", po::value<std::string>()->value_name("NAME")->default_value("csv"), "csv or json");
+    return {.name = "solve",
+            .about = "one run of one solver, its particles as columns",
+            .usage = "SCENE --solver NAME --t T [--set path=value]... [-o FILE] [--format csv|json]",
+            .examples = {"ordo solve bar_vibration --solver mpm --t 0.5 --set resolution.cells=16 --set resolution.dt=1e-3"},
+            .options = options,
+            .most_arguments = 1,
+            .run = run};
+}
+
+}  // namespace ordo::app

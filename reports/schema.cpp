@@ -1,0 +1,136 @@
+#include "reports/schema.hpp"
+
+#include "solvers/solver.hpp"
+#include "studies/engine/scene_entry.hpp"
+#include "studies/reader/json_input.hpp"
+
+namespace ordo::reports {
+namespace {
+
+using studies::Json;
+
+const Json text{{"type", "string"}};
+const Json above_zero{{"type", "number"}, {"exclusiveMinimum", 0}};
+
+Json one_or_list(const Json& item) {
+    return {{"oneOf", {item, {{"type", "array"}, {"items", item}, {"minItems", 1}}}}};
+}
+
+/// The same where an empty list is fine.
+Json one_or_any(const Json& item) { return {{"oneOf", {item, {{"type", "array"}, {"items", item}}}}}; }
+
+const Json texts = one_or_any(text);
+
+Json words(const std::vector<std::string>& allowed) { return {{"enum", allowed}}; }
+
+/// One declared parameter as a schema, with its help, unit and default.
+Json schema_of(const Parameter& parameter) {
+    Json json{{"description", parameter.help + (parameter.unit == "-" ? "" : " [" + parameter.unit + "]")}};
+    switch (parameter.kind) {
+        case Parameter::Kind::toggle: json["type"] = "boolean"; break;
+        case Parameter::Kind::word: json["enum"] = parameter.word_names(); break;
+        case Parameter::Kind::whole: json["type"] = "integer"; break;
+        case Parameter::Kind::number: json["type"] = "number"; break;
+    }
+    const Range& range = parameter.range;
+    if (std::isfinite(range.low)) json[range.low_excluded ? "exclusiveMinimum" : "minimum"] = range.low;
+    if (std::isfinite(range.high)) json["maximum"] = range.high;
+    if (parameter.fallback) json["default"] = std::visit([](const auto& value) { return Json(value); }, *parameter.fallback);
+    return json;
+}
+
+/// An object with this name and these parameters, each alone or, where `lists`, as a list of choices.
+Json named(const std::string& name, const std::string& about, const std::vector<Parameter>& parameters, bool lists) {
+    Json properties{{"name", {{"const", name}}}};
+    Json required = Json::array({"name"});
+    for (const auto& parameter : parameters) {
+        properties[parameter.name] = lists ? one_or_list(schema_of(parameter)) : schema_of(parameter);
+        if (parameter.required) required.push_back(parameter.name);
+    }
+    return {{"type", "object"}, {"description", about}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+}
+
+Json object(Json properties, std::vector<std::string> required) {
+    return {{"type", "object"}, {"properties", std::move(properties)}, {"required", std::move(required)}, {"additionalProperties", false}};
+}
+
+Json scene_schema() {
+    Json choices = Json::array();
+    for (const auto& scene : studies::all_scenes()) choices.push_back(named(scene.name, scene.about, scene.parameters, false));
+    return {{"oneOf", choices}};
+}
+
+Json solvers_schema() {
+    Json choices = Json::array();
+    for (const auto& solver : solvers::all_solvers()) choices.push_back(named(solver.name, solver.about, solver.options, true));
+    const Json one{{"oneOf", choices}};
+    return {{"oneOf", {{{"const", "all"}}, one, {{"type", "array"}, {"items", one}, {"minItems", 1}}}}};
+}
+
+Json sweep_schema() {
+    Json properties{{"path", words({"space", "time", "joint", "grid"})}};
+    for (const auto& solver : solvers::all_solvers()) {
+        for (const auto& parameter : solver.resolution) properties[parameter.name] = one_or_list(schema_of(parameter));
+    }
+    return object(properties, {"path"});
+}
+
+Json measure_schema() {
+    std::vector<std::string> fields;
+    for (const auto& field : standard_fields()) fields.push_back(field.name);
+    return object({{"at", above_zero},
+                   {"until", words({"exact", "accumulated", "steps"})},
+                   {"fields", one_or_list(words(fields))},
+                   {"norms", one_or_list(words({"rms", "l1", "l2", "linf"}))},
+                   {"over", words({"final", "maximum"})},
+                   {"against", one_or_list(words({"exact", "finest"}))}},
+                  {"at", "fields"});
+}
+
+Json expectation_schema() {
+    Json json = object({{"order", {{"type", "number"}}},
+                        {"within", above_zero},
+                        {"error_at_most", above_zero},
+                        {"exact_within", above_zero},
+                        {"where", texts},
+                        {"of", texts},
+                        {"solver", texts},
+                        {"source", text}},
+                       {"source"});
+    json["oneOf"] = {{{"required", {"order", "within"}}}, {{"required", {"error_at_most"}}}, {{"required", {"exact_within"}}}};
+    return json;
+}
+
+Json published_schema() {
+    const Json row{{"type", "object"}, {"properties", {{"value", text}}}, {"required", {"value"}}, {"additionalProperties", {{"type", "number"}}}};
+    const Json table = object({{"id", text}, {"title", text}, {"source", text}, {"quantity", text},
+                               {"rows", {{"type", "array"}, {"items", row}, {"minItems", 1}}}},
+                              {"id", "title", "source", "quantity", "rows"});
+    Json json = object({{"file", text}, {"table", table}, {"compare", words({"digits", "band", "none"})}, {"band", above_zero},
+                        {"because", text}, {"solver", text}},
+                       {"compare"});
+    json["oneOf"] = {{{"required", {"file"}}}, {{"required", {"table"}}}};
+    return json;
+}
+
+}  // namespace
+
+std::string study_schema() {
+    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", "ordo-study-1"}, {"title", "A study of Ordo"}};
+    const Json body = object({{"study", {{"type", "string"}, {"minLength", 1}}},
+                              {"about", text},
+                              {"source", texts},
+                              {"scene", scene_schema()},
+                              {"solvers", solvers_schema()},
+                              {"sweep", sweep_schema()},
+                              {"measure", measure_schema()},
+                              {"expect", one_or_any(expectation_schema())},
+                              {"published", one_or_any(published_schema())},
+                              {"allow", one_or_any(words({"diverged"}))},
+                              {"timeout_s", above_zero}},
+                             {"study", "scene", "solvers", "sweep", "measure"});
+    schema.update(body);
+    return schema.dump(1) + "\n";
+}
+
+}  // namespace ordo::reports
