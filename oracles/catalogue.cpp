@@ -2,12 +2,14 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "oracles/bar_vibration.hpp"
+#include "oracles/free_flight.hpp"
 
 namespace ordo::oracles {
 
 const std::vector<Oracle>& all_oracles() {
     static const std::vector<Oracle> list{
         bar_vibration(),
+        free_flight(),
     };
     return list;
 }

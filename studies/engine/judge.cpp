@@ -39,16 +39,20 @@ SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vect
     return fit;
 }
 
-/// The ranges that orders are expected over; one range without limits where none is.
+/// The ranges that orders are expected over; one range without limits where none is. What is expected to be exact has
+/// no order: its errors are round-off.
 std::vector<std::vector<Condition>> ranges_of(const Study& study, const std::string& quantity,
                                               const std::string& solver) {
     std::vector<std::vector<Condition>> ranges;
+    bool exact = false;
     for (const auto& expectation : study.expect) {
-        if (expectation.kind != Expectation::Kind::order || !speaks_of(expectation, quantity, solver)) continue;
+        if (!speaks_of(expectation, quantity, solver)) continue;
+        exact = exact || expectation.kind == Expectation::Kind::exact_within;
+        if (expectation.kind != Expectation::Kind::order) continue;
         const auto same = [&](const auto& range) { return text_of(range) == text_of(expectation.where); };
         if (std::none_of(ranges.begin(), ranges.end(), same)) ranges.push_back(expectation.where);
     }
-    if (ranges.empty()) ranges.emplace_back();
+    if (ranges.empty() && !exact) ranges.emplace_back();
     return ranges;
 }
 
