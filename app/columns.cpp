@@ -13,7 +13,8 @@ std::string as_csv(const std::vector<Column>& columns, std::size_t rows) {
     for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
     text += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t k = 0; k < columns.size(); ++k) text += (k == 0 ? "" : ",") + seventeen_digits(columns[k].values[row]);
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            text += (k == 0 ? "" : ",") + seventeen_digits(columns[k].values[row]);
         text += '\n';
     }
     return text;
@@ -25,7 +26,8 @@ std::string as_json(const std::vector<Column>& columns, std::size_t rows) {
         text += " {";
         for (std::size_t k = 0; k < columns.size(); ++k) {
             const double value = columns[k].values[row];
-            text += (k == 0 ? "\"" : ", \"") + columns[k].name + "\": " + (std::isfinite(value) ? seventeen_digits(value) : "null");
+            text += (k == 0 ? "\"" : ", \"") + columns[k].name +
+                    "\": " + (std::isfinite(value) ? seventeen_digits(value) : "null");
         }
         text += row + 1 < rows ? "},\n" : "}\n";
     }

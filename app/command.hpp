@@ -14,11 +14,11 @@ enum Exit { all_hold = 0, gate_failed = 1, bad_input = 2, run_broken = 3, enviro
 
 struct Command {
     std::string name;
-    std::string about;                    ///< one line
-    std::string usage;                    ///< behind "ordo NAME "
-    std::vector<std::string> examples;    ///< whole commands
+    std::string about;                  ///< one line
+    std::string usage;                  ///< behind "ordo NAME "
+    std::vector<std::string> examples;  ///< whole commands
     po::options_description options;
-    int most_arguments = 0;               ///< positional words it takes; -1: any number
+    int most_arguments = 0;  ///< positional words it takes; -1: any number
     std::function<int(const po::variables_map& options, const std::vector<std::string>& arguments)> run;
 };
 

@@ -32,7 +32,8 @@ _ordo() {{
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")
 }}
 complete -o filenames -F _ordo ordo
-)", joined(names, " "), cases);
+)",
+                       joined(names, " "), cases);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "app/command.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "reports/plot_view.hpp"
 #include "reports/report.hpp"
 #include "studies/engine/engine.hpp"
 
@@ -18,19 +17,22 @@ namespace {
 constexpr int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
 
 void print_help(const Command& command) {
-    std::cout << "ordo " << command.name << ": " << command.about << "\n\nusage: ordo " << command.name << ' ' << command.usage << "\n\n";
+    std::cout << "ordo " << command.name << ": " << command.about << "\n\nusage: ordo " << command.name << ' '
+              << command.usage << "\n\n";
     if (!command.options.options().empty()) std::cout << command.options << '\n';
     std::cout << "examples:\n";
     for (const auto& example : command.examples) std::cout << "  " << example << '\n';
 }
 
 void print_overview(const std::vector<Command>& commands) {
-    std::cout << "ordo measures how accurate a solver really is: sweep, compare with the exact solution, fit the order, gate.\n\n"
+    std::cout << "ordo measures how accurate a solver really is: sweep, compare with the exact solution, fit the "
+                 "order, gate.\n\n"
                  "usage: ordo COMMAND ...\n\n";
     for (const auto& command : commands) std::cout << fmt::format("  {:<11} {}\n", command.name, command.about);
-    std::cout << "\n'ordo COMMAND --help' shows options and examples. Exit codes: 0 all expectations hold, 1 a gate failed,\n"
-                 "2 bad input (nothing run, nothing written), 3 a run broke, 4 the environment failed, 130 interrupted.\n"
-                 "examples:\n  ordo list scenes\n  ordo run studies/wobbes_tielen_2015/vibrating_bar.json\n";
+    std::cout
+        << "\n'ordo COMMAND --help' shows options and examples. Exit codes: 0 all expectations hold, 1 a gate failed,\n"
+           "2 bad input (nothing run, nothing written), 3 a run broke, 4 the environment failed, 130 interrupted.\n"
+           "examples:\n  ordo list scenes\n  ordo run studies/wobbes_tielen_2015/vibrating_bar.json\n";
 }
 
 std::vector<std::string> long_names(const po::options_description& options) {
@@ -62,14 +64,16 @@ int run_parsed(const Command& command, const std::vector<std::string>& words) {
         }
         po::notify(values);
     } catch (const po::unknown_option& error) {
-        throw InputError(where, "unknown option '" + error.get_option_name() + "'" + did_you_mean(error.get_option_name(), long_names(command.options)));
+        throw InputError(where, "unknown option '" + error.get_option_name() + "'" +
+                                    did_you_mean(error.get_option_name(), long_names(command.options)));
     } catch (const po::too_many_positional_options_error&) {
         throw InputError(where, "too many words; usage: ordo " + command.name + " " + command.usage);
     } catch (const po::error& error) {
         throw InputError(where, std::string(error.what()) + "; usage: ordo " + command.name + " " + command.usage);
     }
     refuse_empty(values, where);
-    const auto arguments = values.contains("argument") ? values["argument"].as<std::vector<std::string>>() : std::vector<std::string>{};
+    const auto arguments =
+        values.contains("argument") ? values["argument"].as<std::vector<std::string>>() : std::vector<std::string>{};
     return command.run(values, arguments);
 }
 
@@ -95,7 +99,7 @@ int run_words(const std::vector<std::string>& words) {
 
 /// One line on stderr, whatever the message holds.
 int complain(const std::string& message, int code) {
-    std::cerr << "ordo: " << reports::one_line(message) << '\n';
+    std::cerr << "ordo: " << one_line(message) << '\n';
     return code;
 }
 

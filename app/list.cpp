@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "oracles/oracle.hpp"
-#include "reports/plot_view.hpp"
 #include "reports/schema.hpp"
 #include "solvers/solver.hpp"
 #include "studies/engine/scene_entry.hpp"
@@ -24,8 +23,10 @@ void show(const std::string& title, const std::vector<Parameter>& parameters) {
     std::cout << '\n' << title << ":\n";
     for (const auto& parameter : parameters) {
         const std::string rule = parameter.kind == Parameter::Kind::word ? "" : ", " + parameter.rule();
-        line(parameter.name, fmt::format("{} [{}] default {}{}", parameter.help, parameter.unit, parameter.default_text(), rule));
-        for (const auto& choice : parameter.words) std::cout << fmt::format("  {:<18}   {:<16} {}\n", "", choice.name, choice.help);
+        line(parameter.name,
+             fmt::format("{} [{}] default {}{}", parameter.help, parameter.unit, parameter.default_text(), rule));
+        for (const auto& choice : parameter.words)
+            std::cout << fmt::format("  {:<18}   {:<16} {}\n", "", choice.name, choice.help);
     }
 }
 
@@ -36,17 +37,19 @@ void show_scene(const studies::SceneEntry& scene) {
 }
 
 void show_solver(const solvers::Solver& solver) {
-    std::cout << solver.name << ": " << solver.about << "\nfields " << joined(solver.fields) << "; source " << joined(solver.source) << '\n';
+    std::cout << solver.name << ": " << solver.about << "\nfields " << joined(solver.fields) << "; source "
+              << joined(solver.source) << '\n';
     show("options", solver.options);
     show("resolution", solver.resolution);
     const auto claim = solver.claim(resolve(solver.options, {}, "", solver.name));
-    std::cout << fmt::format("\nclaim with the defaults: order {} in space, {} in time, {}; conserves {} [{}]\n", claim.order_in_space,
-                             claim.order_in_time, claim.provided, joined(claim.conserves), claim.source);
+    std::cout << fmt::format("\nclaim with the defaults: order {} in space, {} in time, {}; conserves {} [{}]\n",
+                             claim.order_in_space, claim.order_in_time, claim.provided, joined(claim.conserves),
+                             claim.source);
 }
 
 void show_oracle(const oracles::Oracle& oracle) {
-    std::cout << oracle.name << ": " << oracle.about << "\nsmoothness: " << oracle.smoothness << "; accuracy: " << oracle.accuracy
-              << "; source " << joined(oracle.source) << "\nfields:";
+    std::cout << oracle.name << ": " << oracle.about << "\nsmoothness: " << oracle.smoothness
+              << "; accuracy: " << oracle.accuracy << "; source " << joined(oracle.source) << "\nfields:";
     for (const auto& field : oracle.fields) std::cout << ' ' << field.name << " [" << field.unit << ']';
     std::cout << '\n';
     show("parameters", oracle.parameters);
@@ -74,21 +77,25 @@ void list_norms() {
     line("l1", "sum w |e|");
     line("l2", "sqrt(sum w |e|^2)");
     line("linf", "max |e|");
-    std::cout << "  'over': 'maximum' takes the largest value over the ends of all steps; 'against': 'finest' the run of smallest dt\n";
+    std::cout << "  'over': 'maximum' takes the largest value over the ends of all steps; 'against': 'finest' the run "
+                 "of smallest dt\n";
 }
 
 /// Study files below a folder, in the order of their paths.
 void list_studies(const std::string& folder) {
     namespace fs = std::filesystem;
     std::error_code error;
-    if (!fs::is_directory(folder, error)) throw InputError("ordo list studies", "there is no folder '" + folder + "'; name one: ordo list studies FOLDER");
+    if (!fs::is_directory(folder, error))
+        throw InputError("ordo list studies",
+                         "there is no folder '" + folder + "'; name one: ordo list studies FOLDER");
     std::vector<std::string> paths;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.path().extension() == ".json" && entry.path().parent_path().filename() != "published") paths.push_back(entry.path().string());
+        if (entry.path().extension() == ".json" && entry.path().parent_path().filename() != "published")
+            paths.push_back(entry.path().string());
     }
     std::sort(paths.begin(), paths.end());
     std::string text = "studies in " + folder + ":\n";
-    for (const auto& path : paths) text += "  " + path + "\n      " + reports::one_line(studies::read_study(path).about) + '\n';
+    for (const auto& path : paths) text += "  " + path + "\n      " + one_line(studies::read_study(path).about) + '\n';
     std::cout << text;
 }
 
@@ -96,12 +103,14 @@ int run(const std::vector<std::string>& words) {
     const std::string kind = words.empty() ? "" : words[0];
     const std::string name = words.size() < 2 ? "" : words[1];
     const bool all = kind.empty();
-    if (!name.empty() && (kind == "norms" || kind == "schema")) throw InputError("ordo list " + kind, "takes no name, but got '" + name + "'");
+    if (!name.empty() && (kind == "norms" || kind == "schema"))
+        throw InputError("ordo list " + kind, "takes no name, but got '" + name + "'");
     if (all || kind == "scenes") list_catalogue(studies::all_scenes(), "scenes", name, show_scene);
     if (all || kind == "solvers") list_catalogue(solvers::all_solvers(), "solvers", name, show_solver);
     if (all || kind == "oracles") list_catalogue(oracles::all_oracles(), "oracles", name, show_oracle);
     if (all || kind == "norms") list_norms();
-    if (kind == "studies" || (all && std::filesystem::is_directory("studies"))) list_studies(name.empty() ? "studies" : name);
+    if (kind == "studies" || (all && std::filesystem::is_directory("studies")))
+        list_studies(name.empty() ? "studies" : name);
     if (kind == "schema") std::cout << reports::study_schema();
     const std::vector<std::string> kinds{"scenes", "solvers", "oracles", "norms", "studies", "schema"};
     if (!all && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
@@ -116,7 +125,8 @@ Command list_command() {
     return {.name = "list",
             .about = "what exists: scenes, solvers, oracles, norms, studies, the study schema",
             .usage = "[scenes|solvers|oracles|norms|studies|schema] [NAME]",
-            .examples = {"ordo list", "ordo list solvers mpm", "ordo list scenes bar_vibration", "ordo list studies studies"},
+            .examples = {"ordo list", "ordo list solvers mpm", "ordo list scenes bar_vibration",
+                         "ordo list studies studies"},
             .options = {},
             .most_arguments = 2,
             .run = [](const po::variables_map&, const std::vector<std::string>& words) { return run(words); }};

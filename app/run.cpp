@@ -1,4 +1,6 @@
 // ordo run: from study files to reports.
+#include "studies/engine/run.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -15,7 +17,6 @@
 #include "reports/table.hpp"
 #include "studies/engine/engine.hpp"
 #include "studies/engine/judge.hpp"
-#include "studies/engine/run.hpp"
 #include "studies/reader/study_reader.hpp"
 
 namespace ordo::app {
@@ -44,17 +45,21 @@ std::vector<Job> jobs_from(const po::variables_map& options, const std::vector<s
     if (files.empty()) throw InputError("ordo run", "names no study; usage: ordo run STUDY...");
     std::vector<studies::Setting> settings;
     if (options.contains("set")) {
-        for (const auto& text : options["set"].as<std::vector<std::string>>()) settings.push_back(studies::setting_from(text));
+        for (const auto& text : options["set"].as<std::vector<std::string>>())
+            settings.push_back(studies::setting_from(text));
     }
     std::vector<Job> jobs;
     std::set<std::string> outputs;
     for (const auto& file : files) {
         auto study = studies::read_study(file, settings);
         studies::specs_of(study);
-        const auto output = output_of(options.contains("out") ? options["out"].as<std::string>() : "", study, files.size());
+        const auto output =
+            output_of(options.contains("out") ? options["out"].as<std::string>() : "", study, files.size());
         std::error_code error;
-        if (std::filesystem::equivalent(file, output, error)) throw InputError(output, "the report would overwrite its study");
-        if (!outputs.insert(output).second) throw InputError(file, "its report would overwrite that of another study: " + output);
+        if (std::filesystem::equivalent(file, output, error))
+            throw InputError(output, "the report would overwrite its study");
+        if (!outputs.insert(output).second)
+            throw InputError(file, "its report would overwrite that of another study: " + output);
         jobs.push_back({std::move(study), output});
     }
     for (const auto& job : jobs) reports::check_writable(job.output);
@@ -62,7 +67,9 @@ std::vector<Job> jobs_from(const po::variables_map& options, const std::vector<s
 }
 
 int code_of(const studies::Result& result) {
-    const auto broken = [](const studies::Run& run) { return run.status == studies::Status::failed || run.status == studies::Status::timed_out; };
+    const auto broken = [](const studies::Run& run) {
+        return run.status == studies::Status::failed || run.status == studies::Status::timed_out;
+    };
     if (std::any_of(result.runs.begin(), result.runs.end(), broken)) return run_broken;
     return result.verdict == studies::Verdict::fail ? gate_failed : all_hold;
 }
@@ -72,10 +79,13 @@ int run_job(const Job& job, int threads) {
     std::vector<studies::Run> runs;
     {
         ProgressLine line(job.study.name);
-        runs = studies::run_all(job.study, {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
+        runs = studies::run_all(
+            job.study,
+            {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    const reports::Report report{studies::judged(job.study, std::move(runs)), reports::provenance_here(threads, seconds.count())};
+    const reports::Report report{studies::judged(job.study, std::move(runs)),
+                                 reports::provenance_here(threads, seconds.count())};
     reports::write_whole(job.output, reports::to_json(report));
     std::cout << reports::table(report, reports::TableFormat::text) << "report: " << job.output << "\n" << std::flush;
     return code_of(report.result);
@@ -83,7 +93,8 @@ int run_job(const Job& job, int threads) {
 
 int run(const po::variables_map& options, const std::vector<std::string>& files) {
     const int threads = options["jobs"].as<int>();
-    if (threads < 1 || threads > 1024) throw InputError("ordo run --jobs", "is " + std::to_string(threads) + ", but must be in [1, 1024]");
+    if (threads < 1 || threads > 1024)
+        throw InputError("ordo run --jobs", "is " + std::to_string(threads) + ", but must be in [1, 1024]");
     const auto jobs = jobs_from(options, files);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
@@ -97,10 +108,15 @@ int run(const po::variables_map& options, const std::vector<std::string>& files)
 Command run_command() {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     po::options_description options("options");
+    // clang-format off
     options.add_options()
-        ("out,o", po::value<std::string>()->value_name("REPORT"), "where the report goes; a folder if it ends with '/' (default ordo-reports/<study>.json)")
-        ("jobs,j", po::value<int>()->value_name("N")->default_value(cores), "runs at a time; the results are the same for any number")
-        ("set", po::value<std::vector<std::string>>()->value_name("path=value"), "change one member of the study, for instance sweep.cells=4,8,16; may be repeated");
+        ("out,o", po::value<std::string>()->value_name("REPORT"),
+         "where the report goes; a folder if it ends with '/' (default ordo-reports/<study>.json)")
+        ("jobs,j", po::value<int>()->value_name("N")->default_value(cores),
+         "runs at a time; the results are the same for any number")
+        ("set", po::value<std::vector<std::string>>()->value_name("path=value"),
+         "change one member of the study, for instance sweep.cells=4,8,16; may be repeated");
+    // clang-format on
     return {.name = "run",
             .about = "run studies, write their reports, print their tables",
             .usage = "STUDY... [-o REPORT] [--jobs N] [--set path=value]...",

@@ -35,7 +35,8 @@ std::map<std::string, Given> settings(const po::variables_map& options) {
         const auto dot = setting.path.find('.');
         const std::string kind = setting.path.substr(0, dot);
         if (dot == std::string::npos || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-            throw InputError("ordo solve --set " + text, "must begin with scene., solver. or resolution." + did_you_mean(kind, kinds));
+            throw InputError("ordo solve --set " + text,
+                             "must begin with scene., solver. or resolution." + did_you_mean(kind, kinds));
         }
         given[kind][setting.path.substr(dot + 1)] = studies::value_from(setting.value);
     }
@@ -45,7 +46,8 @@ std::map<std::string, Given> settings(const po::variables_map& options) {
 std::vector<Column> columns_of(const solvers::Snapshot& shot) {
     const auto dim = static_cast<std::size_t>(shot.dim);
     std::vector<Column> columns;
-    const auto add = [&](const std::string& field, const std::string& unit, const std::vector<double>& values, std::size_t components) {
+    const auto add = [&](const std::string& field, const std::string& unit, const std::vector<double>& values,
+                         std::size_t components) {
         const auto names = component_names(field, static_cast<int>(components), shot.dim);
         for (std::size_t k = 0; k < components; ++k) {
             columns.push_back({names[k], unit, {}});
@@ -66,7 +68,8 @@ std::vector<Column> columns_of(const solvers::Snapshot& shot) {
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& words) {
-    if (words.size() != 1) throw InputError("ordo solve", "names no scene; usage: ordo solve SCENE --solver NAME --t T");
+    if (words.size() != 1)
+        throw InputError("ordo solve", "names no scene; usage: ordo solve SCENE --solver NAME --t T");
     if (!options.contains("solver")) throw InputError("ordo solve", "needs --solver NAME");
     if (!options.contains("t")) throw InputError("ordo solve", "needs --t T");
     const double t = options["t"].as<double>();
@@ -74,12 +77,16 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     auto given = settings(options);
     const auto& scene = studies::scene_named(words.front(), "ordo solve");
     const auto& solver = solvers::solver_named(options["solver"].as<std::string>(), "ordo solve --solver");
-    const auto problem = scene.problem(resolve(scene.parameters, given["scene"], "ordo solve --set", "scene " + scene.name));
+    const auto problem =
+        scene.problem(resolve(scene.parameters, given["scene"], "ordo solve --set", "scene " + scene.name));
     const auto values = resolve(solver.options, given["solver"], "ordo solve --set", "solver " + solver.name);
-    const auto resolution = resolve(solver.resolution, given["resolution"], "ordo solve --set", "solver " + solver.name);
-    if (!solver.accepts(problem)) throw InputError("ordo solve", "solver " + solver.name + " does not accept the scene " + scene.name);
+    const auto resolution =
+        resolve(solver.resolution, given["resolution"], "ordo solve --set", "solver " + solver.name);
+    if (!solver.accepts(problem))
+        throw InputError("ordo solve", "solver " + solver.name + " does not accept the scene " + scene.name);
     const auto plan = solver.plan(problem, values, resolution);
-    if (!(t / plan.dt < most_steps)) throw InputError("ordo solve", "asks for more than " + shortest(most_steps) + " steps");
+    if (!(t / plan.dt < most_steps))
+        throw InputError("ordo solve", "asks for more than " + shortest(most_steps) + " steps");
     const auto format = options["format"].as<std::string>();
     columns_as(format, {}, "ordo solve");
     const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
@@ -105,16 +112,20 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
 
 Command solve_command() {
     po::options_description options("options");
+    // clang-format off
     options.add_options()
         ("solver", po::value<std::string>()->value_name("NAME"), "which solver")
         ("t", po::value<double>()->value_name("T"), "end of the run [s]")
-        ("set", po::value<std::vector<std::string>>()->value_name("path=value"), "scene.k=v, solver.k=v or resolution.k=v; may be repeated")
+        ("set", po::value<std::vector<std::string>>()->value_name("path=value"),
+         "scene.k=v, solver.k=v or resolution.k=v; may be repeated")
         ("out,o", po::value<std::string>()->value_name("FILE"), "where the columns go (default standard output)")
         ("format", po::value<std::string>()->value_name("NAME")->default_value("csv"), "csv or json");
+    // clang-format on
     return {.name = "solve",
             .about = "one run of one solver, its particles as columns",
             .usage = "SCENE --solver NAME --t T [--set path=value]... [-o FILE] [--format csv|json]",
-            .examples = {"ordo solve bar_vibration --solver mpm --t 0.5 --set resolution.cells=16 --set resolution.dt=1e-3"},
+            .examples =
+                {"ordo solve bar_vibration --solver mpm --t 0.5 --set resolution.cells=16 --set resolution.dt=1e-3"},
             .options = options,
             .most_arguments = 1,
             .run = run};

@@ -7,7 +7,6 @@
 #include <iostream>
 
 #include "core/text.hpp"
-#include "reports/plot_view.hpp"
 
 namespace ordo::app {
 namespace {
@@ -34,7 +33,7 @@ std::string run_line(const studies::Run& run) {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string study)
-    : study_(reports::one_line(std::move(study))), live_(isatty(STDERR_FILENO) != 0 && variable("TERM") != "dumb") {}
+    : study_(one_line(std::move(study))), live_(isatty(STDERR_FILENO) != 0 && variable("TERM") != "dumb") {}
 
 ProgressLine::~ProgressLine() {
     if (live_) std::cerr << "\r\033[K" << std::flush;
@@ -47,8 +46,8 @@ void ProgressLine::show(const studies::Progress& progress) {
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
     const double left = progress.work_done > 0 ? passed.count() * (1 - progress.work_done) / progress.work_done : 0;
-    std::cerr << fmt::format("\r\033[K{}: {} of {} runs done, {} running, {} left", study_, progress.done, progress.total,
-                             progress.running, minutes(left))
+    std::cerr << fmt::format("\r\033[K{}: {} of {} runs done, {} running, {} left", study_, progress.done,
+                             progress.total, progress.running, minutes(left))
               << std::flush;
 }
 

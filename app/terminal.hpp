@@ -16,7 +16,7 @@ public:
 
 private:
     std::string study_;
-    bool live_;   ///< stderr is a terminal that can write over a line
+    bool live_;  ///< stderr is a terminal that can write over a line
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

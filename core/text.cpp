@@ -48,6 +48,12 @@ std::string seventeen_digits(double value) {
     return {digits.data(), end};
 }
 
+std::string one_line(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return text;
+}
+
 std::string joined(std::span<const std::string> words, std::string_view separator) {
     std::string text;
     for (const auto& word : words) {

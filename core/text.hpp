@@ -13,6 +13,9 @@ std::string shortest(double value);
 /// 17 significant digits, the form `ordo oracle` and `ordo solve` print; reads back as the same double.
 std::string seventeen_digits(double value);
 
+/// `text` with every control character, line ends too, as a space: safe in a line, a terminal and a script.
+std::string one_line(std::string text);
+
 /// "a, b, c".
 std::string joined(std::span<const std::string> words, std::string_view separator = ", ");
 
