@@ -2,7 +2,7 @@
 _ordo() {
     local word="${COMP_WORDS[COMP_CWORD]}" words
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve completion --help --version" -- "$word")
         return
     fi
     case "${COMP_WORDS[1]}" in

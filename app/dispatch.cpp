@@ -64,8 +64,9 @@ int run_parsed(const Command& command, const std::vector<std::string>& words) {
         }
         po::notify(values);
     } catch (const po::unknown_option& error) {
-        throw InputError(where, "unknown option '" + error.get_option_name() + "'" +
-                                    did_you_mean(error.get_option_name(), long_names(command.options)));
+        const std::string given = error.get_option_name();
+        const std::string name = given.substr(0, given.find('='));
+        throw InputError(where, "unknown option '" + name + "'" + did_you_mean(name, long_names(command.options)));
     } catch (const po::too_many_positional_options_error&) {
         throw InputError(where, "too many words; usage: ordo " + command.name + " " + command.usage);
     } catch (const po::error& error) {

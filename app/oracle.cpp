@@ -44,7 +44,8 @@ std::vector<double> grid(const std::string& text) {
     if (count != std::floor(count) || count < 2 || count > most_points)
         throw InputError("ordo oracle --grid", "N must be a whole number in [2, 1e7]");
     std::vector<double> x;
-    for (double k = 0; k < count; ++k) x.push_back(from + (to - from) * k / (count - 1));
+    for (double k = 0; k + 1 < count; ++k) x.push_back(from + (to - from) * k / (count - 1));
+    x.push_back(to);  // to the last bit: from + (to - from) may lie outside
     return x;
 }
 

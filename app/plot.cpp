@@ -1,5 +1,5 @@
 // ordo plot: a report as pictures.
-#include "reports/plot.hpp"
+#include "reports/plot/plot.hpp"
 
 #include <iostream>
 

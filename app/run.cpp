@@ -14,7 +14,7 @@
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "reports/report.hpp"
-#include "reports/table.hpp"
+#include "reports/table/table.hpp"
 #include "studies/engine/engine.hpp"
 #include "studies/engine/judge.hpp"
 #include "studies/reader/study_reader.hpp"

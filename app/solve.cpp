@@ -89,10 +89,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
         throw InputError("ordo solve", "asks for more than " + shortest(most_steps) + " steps");
     const auto format = options["format"].as<std::string>();
     columns_as(format, {}, "ordo solve");
-    const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
-    if (!out.empty()) reports::check_writable(out);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
+    const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
+    if (!out.empty()) reports::check_writable(out);
     const auto simulation = solver.start(problem, values, resolution, solver.fields);
     try {
         simulation->advance_to(t, [] { return stop_asked.load(std::memory_order_relaxed); });

@@ -1,5 +1,5 @@
 // ordo table: errors and orders of a report as text.
-#include "reports/table.hpp"
+#include "reports/table/table.hpp"
 
 #include <iostream>
 

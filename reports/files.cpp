@@ -54,7 +54,8 @@ void check_writable(const std::string& path) {
 std::string safe_path(const std::string& name) {
     std::string path;
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+        const bool plain =
+            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
         const bool begins = path.empty() || path.back() == '/';
         if (plain || (c == '.' && !begins) || (c == '/' && !begins)) path += c;
         else path += '_';

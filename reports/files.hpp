@@ -10,7 +10,8 @@ void write_whole(const std::string& path, const std::string& text);
 /// Throws InputError when `path` cannot become a file; creates missing folders.
 void check_writable(const std::string& path);
 
-/// `name` as a relative path: characters other than letters, digits and . _ - / become '_', and no part begins with a dot.
+/// `name` as a relative path: characters other than letters, digits and . _ - / become '_', and no part begins with a
+/// dot.
 std::string safe_path(const std::string& name);
 
 }  // namespace ordo::reports

@@ -54,11 +54,13 @@ Check runs_check(const Report& report, const Baseline& baseline) {
         return std::any_of(others.begin(), others.end(),
                            [&](const Run& other) { return same_axes(run, other) && run.status == other.status; });
     };
-    const auto missing = std::count_if(accepted.begin(), accepted.end(), [&](const Run& run) { return !matches(run, now); });
+    const auto missing =
+        std::count_if(accepted.begin(), accepted.end(), [&](const Run& run) { return !matches(run, now); });
     const auto extra = std::count_if(now.begin(), now.end(), [&](const Run& run) { return !matches(run, accepted); });
     const bool alike = missing + extra == 0 && now.size() == accepted.size();
     return {"the accepted runs, ending alike", "all runs", source_of(baseline), alike ? Verdict::pass : Verdict::fail,
-            fmt::format("{} runs, {} accepted, {} missing or ending otherwise, {} new", now.size(), accepted.size(), missing, extra)};
+            fmt::format("{} runs, {} accepted, {} missing or ending otherwise, {} new", now.size(), accepted.size(),
+                        missing, extra)};
 }
 
 /// `text` for XML 1.0: bytes that are not UTF-8 and the characters it has no place for are replaced.
@@ -84,17 +86,25 @@ std::string junit_case(const std::string& study, const Check& check) {
     const std::string open = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escaped(study),
                                          escaped(check.subject + ": " + check.claim));
     if (check.verdict == Verdict::pass) return open + "/>\n";
-    const std::string message = escaped(studies::text_of(check.verdict) + ": expected " + check.claim + ", found " + check.found);
-    return open + fmt::format(">\n      <failure message=\"{}\">source: {}</failure>\n    </testcase>\n", message, escaped(check.source));
+    const std::string message =
+        escaped(studies::text_of(check.verdict) + ": expected " + check.claim + ", found " + check.found);
+    return open + fmt::format(">\n      <failure message=\"{}\">source: {}</failure>\n    </testcase>\n", message,
+                              escaped(check.source));
 }
 
 }  // namespace
 
-std::string baseline_path(const std::string& folder, const std::string& study) { return folder + "/" + safe_path(study) + ".json"; }
+std::string baseline_path(const std::string& folder, const std::string& study) {
+    return folder + "/" + safe_path(study) + ".json";
+}
 
 std::string to_json(const Baseline& baseline) {
-    const Json json{{"schema", baseline_schema},      {"because", baseline.because},   {"time_utc", baseline.time_utc},
-                    {"revision", baseline.revision},  {"compiler", baseline.compiler}, {"band", baseline.band},
+    const Json json{{"schema", baseline_schema},
+                    {"because", baseline.because},
+                    {"time_utc", baseline.time_utc},
+                    {"revision", baseline.revision},
+                    {"compiler", baseline.compiler},
+                    {"band", baseline.band},
                     {"report", Json::parse(to_json(baseline.report))}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -137,8 +147,8 @@ std::string junit(const std::vector<GateResult>& results) {
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const auto& result : results) {
         const auto failed = [](const Check& check) { return check.verdict != Verdict::pass; };
-        xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n", escaped(result.study), result.checks.size(),
-                           std::count_if(result.checks.begin(), result.checks.end(), failed));
+        xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n", escaped(result.study),
+                           result.checks.size(), std::count_if(result.checks.begin(), result.checks.end(), failed));
         for (const auto& check : result.checks) xml += junit_case(result.study, check);
         xml += "  </testsuite>\n";
     }

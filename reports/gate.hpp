@@ -9,11 +9,11 @@ namespace ordo::reports {
 
 /// An accepted report, with who vouches for it and how far a later one may be off.
 struct Baseline {
-    std::string because;       ///< the reason, as given
+    std::string because;  ///< the reason, as given
     std::string time_utc;
     std::string revision;
     std::string compiler;
-    double band = 1e-6;        ///< relative; libm differs in last digits from machine to machine
+    double band = 1e-6;  ///< relative; libm differs in last digits from machine to machine
     Report report;
 };
 

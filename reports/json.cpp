@@ -70,18 +70,32 @@ Json check_json(const studies::Check& check) {
 }
 
 Json match_json(const studies::PublishedMatch& match) {
-    return {{"table", match.table}, {"run", match.run}, {"printed", match.printed}, {"ours", number(match.ours)},
-            {"ours_as_printed", match.ours_as_printed}, {"agrees", match.agrees}, {"judged", match.judged}};
+    return {{"table", match.table},
+            {"run", match.run},
+            {"printed", match.printed},
+            {"ours", number(match.ours)},
+            {"ours_as_printed", match.ours_as_printed},
+            {"agrees", match.agrees},
+            {"judged", match.judged}};
 }
 
 Json provenance_json(const Report& report) {
     const Provenance& from = report.provenance;
     Json seconds = Json::array();
     for (const auto& run : report.result.runs) seconds.push_back(number(run.seconds));
-    return {{"time_utc", from.time_utc}, {"ordo_version", from.ordo_version}, {"revision", from.revision},
-            {"compiler", from.compiler}, {"flags", from.flags}, {"build_type", from.build_type},
-            {"libraries", from.libraries}, {"cpu", from.cpu}, {"cores", from.cores}, {"os", from.os},
-            {"jobs", from.jobs}, {"seconds", number(from.seconds)}, {"run_seconds", std::move(seconds)}};
+    return {{"time_utc", from.time_utc},
+            {"ordo_version", from.ordo_version},
+            {"revision", from.revision},
+            {"compiler", from.compiler},
+            {"flags", from.flags},
+            {"build_type", from.build_type},
+            {"libraries", from.libraries},
+            {"cpu", from.cpu},
+            {"cores", from.cores},
+            {"os", from.os},
+            {"jobs", from.jobs},
+            {"seconds", number(from.seconds)},
+            {"run_seconds", std::move(seconds)}};
 }
 
 template <class T, class F>
@@ -96,7 +110,8 @@ double number_or_nan(const Node& node) { return node.json().is_null() ? std::nan
 /// A whole number that an int holds.
 int whole(const Node& node) {
     const double value = node.number();
-    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) node.refuse("must be a whole number");
+    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+        node.refuse("must be a whole number");
     return static_cast<int>(value);
 }
 
@@ -122,7 +137,8 @@ studies::Run run_from(const Node& node) {
     run.h = number_or_nan(node.at("h"));
     run.dt = number_or_nan(node.at("dt"));
     run.t = number_or_nan(node.at("t"));
-    run.status = static_cast<studies::Status>(node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out"}));
+    run.status =
+        static_cast<studies::Status>(node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out"}));
     run.reason = node.at("reason").text();
     run.errors = figures_from(node.at("errors"));
     run.drift = figures_from(node.at("drift"));
@@ -131,8 +147,8 @@ studies::Run run_from(const Node& node) {
 }
 
 Provenance provenance_from(const Node& node) {
-    node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores", "os",
-               "jobs", "seconds", "run_seconds"});
+    node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores",
+               "os", "jobs", "seconds", "run_seconds"});
     return {.time_utc = node.at("time_utc").text(),
             .ordo_version = node.at("ordo_version").text(),
             .revision = node.at("revision").text(),
@@ -176,7 +192,8 @@ Report report_from_json(const std::string& text, const std::string& where) {
     std::vector<studies::Run> runs;
     for (const auto& item : entries(root.at("runs"))) {
         runs.push_back(run_from(item));
-        if (runs.back().id != static_cast<int>(runs.size()) - 1) item.at("run").refuse("must be the place of the run in the list");
+        if (runs.back().id != static_cast<int>(runs.size()) - 1)
+            item.at("run").refuse("must be the place of the run in the list");
         if (runs.size() <= seconds.size()) runs.back().seconds = number_or_nan(seconds[runs.size() - 1]);
     }
     return {studies::judged(study, std::move(runs)), provenance_from(provenance)};

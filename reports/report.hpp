@@ -12,16 +12,16 @@ namespace ordo::reports {
 struct Provenance {
     std::string time_utc;
     std::string ordo_version;
-    std::string revision;      ///< of the sources, "-dirty" where they were changed; "unknown" outside a checkout
+    std::string revision;  ///< of the sources, "-dirty" where they were changed; "unknown" outside a checkout
     std::string compiler;
     std::string flags;
     std::string build_type;
-    std::vector<std::string> libraries;   ///< "Boost 1.74", "Eigen 3.4.0", ...
+    std::vector<std::string> libraries;  ///< "Boost 1.74", "Eigen 3.4.0", ...
     std::string cpu;
     int cores = 0;
     std::string os;
     int jobs = 0;
-    double seconds = 0;        ///< wall time of all runs together [s]
+    double seconds = 0;  ///< wall time of all runs together [s]
 };
 
 struct Report {

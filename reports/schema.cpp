@@ -35,7 +35,8 @@ Json schema_of(const Parameter& parameter) {
     const Range& range = parameter.range;
     if (std::isfinite(range.low)) json[range.low_excluded ? "exclusiveMinimum" : "minimum"] = range.low;
     if (std::isfinite(range.high)) json["maximum"] = range.high;
-    if (parameter.fallback) json["default"] = std::visit([](const auto& value) { return Json(value); }, *parameter.fallback);
+    if (parameter.fallback)
+        json["default"] = std::visit([](const auto& value) { return Json(value); }, *parameter.fallback);
     return json;
 }
 
@@ -47,22 +48,31 @@ Json named(const std::string& name, const std::string& about, const std::vector<
         properties[parameter.name] = lists ? one_or_list(schema_of(parameter)) : schema_of(parameter);
         if (parameter.required) required.push_back(parameter.name);
     }
-    return {{"type", "object"}, {"description", about}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+    return {{"type", "object"},
+            {"description", about},
+            {"properties", properties},
+            {"required", required},
+            {"additionalProperties", false}};
 }
 
 Json object(Json properties, std::vector<std::string> required) {
-    return {{"type", "object"}, {"properties", std::move(properties)}, {"required", std::move(required)}, {"additionalProperties", false}};
+    return {{"type", "object"},
+            {"properties", std::move(properties)},
+            {"required", std::move(required)},
+            {"additionalProperties", false}};
 }
 
 Json scene_schema() {
     Json choices = Json::array();
-    for (const auto& scene : studies::all_scenes()) choices.push_back(named(scene.name, scene.about, scene.parameters, false));
+    for (const auto& scene : studies::all_scenes())
+        choices.push_back(named(scene.name, scene.about, scene.parameters, false));
     return {{"oneOf", choices}};
 }
 
 Json solvers_schema() {
     Json choices = Json::array();
-    for (const auto& solver : solvers::all_solvers()) choices.push_back(named(solver.name, solver.about, solver.options, true));
+    for (const auto& solver : solvers::all_solvers())
+        choices.push_back(named(solver.name, solver.about, solver.options, true));
     const Json one{{"oneOf", choices}};
     return {{"oneOf", {{{"const", "all"}}, one, {{"type", "array"}, {"items", one}, {"minItems", 1}}}}};
 }
@@ -97,17 +107,28 @@ Json expectation_schema() {
                         {"solver", texts},
                         {"source", text}},
                        {"source"});
-    json["oneOf"] = {{{"required", {"order", "within"}}}, {{"required", {"error_at_most"}}}, {{"required", {"exact_within"}}}};
+    json["oneOf"] = {
+        {{"required", {"order", "within"}}}, {{"required", {"error_at_most"}}}, {{"required", {"exact_within"}}}};
     return json;
 }
 
 Json published_schema() {
-    const Json row{{"type", "object"}, {"properties", {{"value", text}}}, {"required", {"value"}}, {"additionalProperties", {{"type", "number"}}}};
-    const Json table = object({{"id", text}, {"title", text}, {"source", text}, {"quantity", text},
+    const Json row{{"type", "object"},
+                   {"properties", {{"value", text}}},
+                   {"required", {"value"}},
+                   {"additionalProperties", {{"type", "number"}}}};
+    const Json table = object({{"id", text},
+                               {"title", text},
+                               {"source", text},
+                               {"quantity", text},
                                {"rows", {{"type", "array"}, {"items", row}, {"minItems", 1}}}},
                               {"id", "title", "source", "quantity", "rows"});
-    Json json = object({{"file", text}, {"table", table}, {"compare", words({"digits", "band", "none"})}, {"band", above_zero},
-                        {"because", text}, {"solver", text}},
+    Json json = object({{"file", text},
+                        {"table", table},
+                        {"compare", words({"digits", "band", "none"})},
+                        {"band", above_zero},
+                        {"because", text},
+                        {"solver", text}},
                        {"compare"});
     json["oneOf"] = {{{"required", {"file"}}}, {{"required", {"table"}}}};
     return json;
@@ -116,7 +137,8 @@ Json published_schema() {
 }  // namespace
 
 std::string study_schema() {
-    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", "ordo-study-1"}, {"title", "A study of Ordo"}};
+    Json schema{
+        {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", "ordo-study-1"}, {"title", "A study of Ordo"}};
     const Json body = object({{"study", {{"type", "string"}, {"minLength", 1}}},
                               {"about", text},
                               {"source", texts},

@@ -61,6 +61,7 @@ private:
     void update_stress(double dt);                   // d eps, F_p, sigma_p, V_p
 
     bool stress_first() const { return options_.stress_update == StressUpdate::usf; }
+    bool moved_by_remapped() const { return options_.stress_update == StressUpdate::musl && options_.moved_by_remapped; }
     void locate(double t);
     template <bool mass, bool momentum, bool force>
     void scatter();

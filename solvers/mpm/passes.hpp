@@ -15,7 +15,7 @@ void Mpm<dim, Basis>::particles_to_grid(double t) {
     std::fill(grid_.m.begin(), grid_.m.end(), 0.0);
     std::fill(grid_.v.begin(), grid_.v.end(), Vec<dim>::Zero());
     std::fill(grid_.a.begin(), grid_.a.end(), Vec<dim>::Zero());
-    const bool mapped_velocity = !options_.moved_by_remapped;
+    const bool mapped_velocity = !moved_by_remapped();
     with_constant(mapped_velocity, [&](auto momentum) {
         with_constant(!stress_first(), [&](auto force) { scatter<true, momentum, force>(); });
     });
@@ -43,13 +43,13 @@ template <int dim, class Basis>
 void Mpm<dim, Basis>::grid_to_particles(double kick, double dt) {
     kick_particles(kick);
     const bool remap = options_.stress_update == StressUpdate::musl;
-    if (!options_.moved_by_remapped) move_particles(dt);
+    if (!moved_by_remapped()) move_particles(dt);
     if (remap) {
         std::fill(grid_.v.begin(), grid_.v.end(), Vec<dim>::Zero());
         scatter<false, true, false>();
         divide_by_mass();
     }
-    if (options_.moved_by_remapped) move_particles(dt);
+    if (moved_by_remapped()) move_particles(dt);
 }
 
 template <int dim, class Basis>

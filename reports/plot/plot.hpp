@@ -11,7 +11,7 @@ enum class PlotFormat { svg, pdf, png };
 
 /// A picture as a gnuplot script that holds its own data.
 struct Figure {
-    std::string name;     ///< file name without folder and ending
+    std::string name;  ///< file name without folder and ending
     std::string script;
 };
 

@@ -1,0 +1,174 @@
+#include "reports/plot/script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "reports/plot/plot.hpp"
+#include "reports/plot/ticks.hpp"
+
+namespace ordo::reports {
+namespace {
+
+// Okabe and Ito's colours without the yellow, and point types filled and hollow: 42 distinct curves.
+constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<std::array<int, 2>, 6> shapes{{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 10}, {15, 14}}};
+
+constexpr std::size_t widest_legend = 100;  // characters that fit under the picture
+
+std::string pair_text(const Point& point) { return shortest(point.x) + " " + shortest(point.y); }
+
+std::string block(const std::string& name, const std::string& rows) {
+    return "$" + name + " << EOD\n" + rows + "EOD\n";
+}
+
+/// Abscissa, error and whether a fit used it; an empty line, which breaks the line of points, for a run without a
+/// point.
+std::string point_rows(const Curve& curve) {
+    std::string rows;
+    for (const auto& point : curve.points)
+        rows += point.drawn ? pair_text(point.at) + (point.used ? " 1\n" : " 0\n") : "\n";
+    return rows;
+}
+
+std::string data_blocks(const Layout& layout) {
+    std::string text;
+    for (std::size_t i = 0; i < layout.curves.size(); ++i) {
+        const Curve& curve = layout.curves[i];
+        text += block(fmt::format("points{}", i), point_rows(curve));
+        for (std::size_t k = 0; k < curve.fits.size(); ++k) {
+            const auto& [coarse, fine] = curve.fits[k];
+            text += block(fmt::format("fit{}_{}", i, k), pair_text(coarse) + "\n" + pair_text(fine) + "\n");
+        }
+    }
+    for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
+        const auto& [left, right, angle] = layout.triangles[i].corners;
+        text += block(fmt::format("triangle{}", i), pair_text(left) + "\n" + pair_text(right) + "\n" +
+                                                        pair_text(angle) + "\n" + pair_text(left) + "\n");
+    }
+    return text;
+}
+
+/// The order beside the upright side of its triangle.
+std::string triangle_label(const Triangle& triangle) {
+    const auto& [left, right, angle] = triangle.corners;
+    const bool at_right = angle.x == right.x;
+    const double middle = std::sqrt(angle.y * (at_right ? right.y : left.y));
+    return fmt::format("set label {} at {},{} {} offset {},0\n", quoted(shortest(triangle.order)), shortest(angle.x),
+                       shortest(middle), at_right ? "left" : "right", at_right ? "0.7" : "-0.7");
+}
+
+std::string abscissa_words(const std::string& abscissa) {
+    return abscissa == "h" ? "mesh width h [m]" : "time step dt [s]";
+}
+
+bool stands_hollow(const CurvePoint& point) { return point.drawn && !point.used; }
+
+/// Columns and rows of the legend; two columns where all entries are short.
+struct Legend {
+    std::size_t columns = 1;
+    std::size_t rows = 0;
+};
+
+Legend legend_shape(const Layout& layout) {
+    const auto is_long = [](const Curve& curve) { return width_of(curve.legend) > widest_legend / 2; };
+    const std::size_t entries = layout.curves.size();
+    const std::size_t columns = entries < 3 || std::ranges::any_of(layout.curves, is_long) ? 1 : 2;
+    return {columns, (entries + columns - 1) / columns};
+}
+
+/// Pictures of 900 px or 9 in; each row of the legend makes them higher instead of taking from the axes.
+std::string terminal(PlotFormat format, const Legend& legend) {
+    const int height = 580 + 20 * static_cast<int>(legend.rows);
+    switch (format) {
+        case PlotFormat::svg:
+            return fmt::format("svg enhanced size 900,{} font 'DejaVu Sans,10' fontscale 1.3 background 'white'",
+                               height);
+        case PlotFormat::pdf:
+            return fmt::format("pdfcairo enhanced size 9in,{}in font 'DejaVu Sans,10' fontscale 0.6", 0.01 * height);
+        case PlotFormat::png: break;
+    }
+    return fmt::format("pngcairo enhanced size 900,{} font 'DejaVu Sans,10'", height);
+}
+
+/// The legend stands below the axes, where it hides no data.
+std::string legend_settings(const Layout& layout, const Legend& legend) {
+    const auto has_hollow = [](const Curve& curve) { return std::ranges::any_of(curve.points, stands_hollow); };
+    std::string heading = "observed order [95 % interval]";
+    if (std::ranges::any_of(layout.curves, has_hollow)) heading += "; hollow points are outside the fit";
+    return fmt::format(
+        "set bmargin {:.1f}\nset key at screen 0.02,0.012 left bottom vertical maxrows {} Left reverse "
+        "noenhanced samplen 2.5 spacing 1.15 title '{}' noenhanced left\n",
+        5.2 + 1.2 * static_cast<double>(legend.rows), legend.rows, heading);
+}
+
+std::string settings(const studies::Result& result, const View& view, const Layout& layout, const Legend& legend) {
+    const std::string words = error_words(view.quantity);
+    std::string text = "set tmargin 4.5\n" + legend_settings(layout, legend);
+    text += "set title " + quoted(clipped(result.study.name, 80)) + " noenhanced font ',15' offset 0,1\n";
+    text += "set label " + quoted(words + " " + time_words(result, view.quantity)) +
+            " at graph 0.5,1.045 center noenhanced textcolor '#555555'\n";
+    text += "set xlabel " + quoted(abscissa_words(view.abscissa)) + " noenhanced\n";
+    text += "set ylabel " + quoted(words + unit_words(view.quantity)) + " noenhanced\n";
+    text += "set logscale xy\n";
+    text += "set xrange [" + shortest(layout.x.low) + ":" + shortest(layout.x.high) + "]\n";
+    text += "set yrange [" + shortest(layout.y.low) + ":" + shortest(layout.y.high) + "]\n";
+    text += "set xtics " + log_ticks(layout.x) + "\nset ytics " + log_ticks(layout.y) + "\n";
+    text += "set grid xtics ytics linetype 1 linecolor '#cccccc' linewidth 0.6\n";
+    for (const auto& triangle : layout.triangles) text += triangle_label(triangle);
+    if (layout.empty) text += "set label 'no run has a finite, positive error' at graph 0.5,0.5 center\n";
+    return text;
+}
+
+/// What is plotted for one series: the dotted connection, fitted lines, markers (hollow where no fit used the run), and
+/// the entry of the legend.
+void add_curve(std::vector<std::string>& plots, const Curve& curve, std::size_t i) {
+    const std::string colour = fmt::format("linecolor '{}'", colours[i % colours.size()]);
+    const auto [filled, hollow] = shapes[i % shapes.size()];
+    const std::string points = fmt::format("$points{}", i);
+    if (std::ranges::any_of(curve.points, &CurvePoint::drawn)) {
+        plots.push_back(points + " using 1:2 with lines linewidth 1 dashtype 3 " + colour + " notitle");
+        for (std::size_t k = 0; k < curve.fits.size(); ++k) {
+            plots.push_back(fmt::format("$fit{}_{} using 1:2 with lines linewidth 2 {} notitle", i, k, colour));
+        }
+        const auto markers = [&](int used, int shape) {
+            return fmt::format(
+                "{} using 1:($3 == {} ? $2 : NaN) with points pointtype {} pointsize 1.1 linewidth 1.5 {} notitle",
+                points, used, shape, colour);
+        };
+        plots.push_back(markers(1, filled));
+        plots.push_back(markers(0, hollow));
+    }
+    plots.push_back(fmt::format("keyentry with {} linewidth 2 pointsize 1.1 pointtype {} {} title {}",
+                                curve.fits.empty() ? "points" : "linespoints", filled, colour,
+                                quoted(clipped(curve.legend, widest_legend))));
+}
+
+std::string plot_command(const Layout& layout) {
+    std::vector<std::string> plots{"NaN notitle"};
+    for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
+        plots.push_back(fmt::format("$triangle{} using 1:2 with lines linewidth 1 linecolor '#444444' notitle", i));
+    }
+    for (std::size_t i = 0; i < layout.curves.size(); ++i) add_curve(plots, layout.curves[i], i);
+    return "plot " + joined(plots, ", \\\n     ") + "\n";
+}
+
+}  // namespace
+
+std::string ending_of(PlotFormat format) {
+    return format == PlotFormat::svg ? ".svg" : format == PlotFormat::pdf ? ".pdf" : ".png";
+}
+
+std::string script_of(const studies::Result& result, const View& view, PlotFormat format, const std::string& picture) {
+    const Layout layout = layout_of(result, view);
+    const Legend legend = legend_shape(layout);
+    std::string text = "set terminal " + terminal(format, legend) + "\nset encoding utf8\n";
+    text += "if (!exists('output')) output = " + quoted(picture) + "\nset output output\n";
+    text += data_blocks(layout) + settings(result, view, layout, legend) + plot_command(layout);
+    return text + "unset output\n";
+}
+
+}  // namespace ordo::reports
