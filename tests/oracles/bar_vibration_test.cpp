@@ -1,0 +1,132 @@
+#include "oracles/bar_vibration.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/oracles/bar_vibration_gate.hpp"
+
+using namespace ordo;
+using namespace ordo::oracles;
+using namespace ordo::oracles::gate;
+
+namespace {
+
+/// Default and off-default bars: soft, steel in SI, short and heavy, with a negative amplitude.
+std::vector<BarVibration> bars() {
+    std::vector<BarVibration> list;
+    for (const auto ends : {BarVibration::Ends::fixed_free, BarVibration::Ends::fixed_fixed}) {
+        for (const int mode : {1, 2, 3, 7, 40}) {
+            list.push_back({.mode = mode, .ends = ends});
+            list.push_back({.L = 0.3, .E = 2.1e11, .rho = 7850, .v0 = -3, .mode = mode, .ends = ends});
+            list.push_back({.L = 1.7, .E = 0.02, .rho = 13, .v0 = 1e-4, .mode = mode, .ends = ends});
+        }
+    }
+    return list;
+}
+
+std::string names_of(const BarVibration& bar) {
+    return (bar.ends == BarVibration::Ends::fixed_free ? "fixed_free, mode " : "fixed_fixed, mode ") +
+           std::to_string(bar.mode) + ", L = " + std::to_string(bar.L);
+}
+
+/// Names of the gates that the motion does not pass, joined.
+std::string ringing(const Motion& motion) {
+    std::string names;
+    for (const auto& [name, defect] : gates) {
+        if (!defect(motion).holds()) names += name + "; ";
+    }
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("bar_vibration: equation, derivatives, boundary and initial data, period and energy hold", "[gate]") {
+    for (const auto& bar : bars()) {
+        for (const auto& [name, gate] : gates) {
+            const Defect defect = gate(motion_of(bar));
+            INFO(name << ": " << names_of(bar) << ": defect " << defect.found << ", allowed " << defect.allowed);
+            CHECK(defect.holds());
+        }
+    }
+}
+
+TEST_CASE("bar_vibration: the stated accuracy holds up to the highest mode", "[gate]") {
+    for (const auto ends : {BarVibration::Ends::fixed_free, BarVibration::Ends::fixed_fixed}) {
+        const Motion motion = motion_of({.L = 0.7, .E = 3, .rho = 1.3, .mode = 1000, .ends = ends});
+        CHECK(boundary_data(motion).holds());
+        CHECK(initial_data(motion).holds());
+        CHECK(period(motion).holds());
+    }
+}
+
+TEST_CASE("bar_vibration: the catalogue binds the same numbers to the same bits", "[gate]") {
+    const Oracle& oracle = oracle_named("bar_vibration", "");
+    for (const auto& bar : bars()) {
+        const std::string ends = bar.ends == BarVibration::Ends::fixed_free ? "fixed_free" : "fixed_fixed";
+        const Given given{{"L", bar.L},  {"E", bar.E}, {"rho", bar.rho}, {"v0", bar.v0}, {"mode", double(bar.mode)},
+                          {"ends", ends}};
+        const Exact exact = oracle.bind(resolve(oracle.parameters, given, "", "bar_vibration"));
+        const auto value = [&](const std::string& field, double X, double t) {
+            double found = std::nan("");
+            exact.find(field)->evaluate({&X, 1}, t, {&found, 1});
+            return found;
+        };
+        CHECK((exact.dim == 1 && exact.coordinates == Coordinates::material));
+        CHECK((exact.lower == std::vector{0.0} && exact.upper == std::vector{bar.L} && exact.jumps(0.3).empty()));
+        at_samples(motion_of(bar), [&](double X, double t) {
+            REQUIRE(value("displacement", X, t) == bar.displacement(X, t));
+            REQUIRE(value("velocity", X, t) == bar.velocity(X, t));
+            REQUIRE(value("strain", X, t) == bar.strain(X, t));
+            REQUIRE(value("stress", X, t) == bar.stress(X, t));
+        });
+    }
+}
+
+TEST_CASE("bar_vibration: the gate rings for seeded faults", "[alarm]") {
+    for (const auto& bar : bars()) {
+        const Motion good = motion_of(bar);
+        INFO(names_of(bar));
+        const double v_scale = std::abs(bar.v0);
+        CHECK(ringing(good).empty());
+
+        // Wave number one part in a million too large, frequency right.
+        Motion wave_number = good;
+        wave_number.displacement = [good](double X, double t) { return good.displacement(X * (1 + 1e-6), t); };
+        CHECK_THAT(ringing(wave_number), ContainsSubstring("equation of motion") && ContainsSubstring("derivatives"));
+
+        // cos for sin in space: the same waves, a quarter wave further on; derivatives all consistent.
+        Motion quarter = good;
+        const double shift = good.half_wave() / 2;
+        for (OfXt Motion::*field : {&Motion::displacement, &Motion::velocity, &Motion::strain, &Motion::stress}) {
+            quarter.*field = [f = good.*field, shift](double X, double t) { return f(X + shift, t); };
+        }
+        CHECK_THAT(ringing(quarter), ContainsSubstring("boundary data") && ContainsSubstring("initial data"));
+
+        // Stress without E.
+        Motion strain_for_stress = good;
+        strain_for_stress.stress = good.strain;
+        CHECK_THAT(ringing(strain_for_stress), ContainsSubstring("derivatives") && ContainsSubstring("energy"));
+
+        // The motion of a bar with the other end condition.
+        Motion other_ends =
+            motion_of({bar.L, bar.E, bar.rho, bar.v0, bar.mode,
+                       good.free_end() ? BarVibration::Ends::fixed_fixed : BarVibration::Ends::fixed_free});
+        other_ends.bar.ends = bar.ends;
+        CHECK_THAT(ringing(other_ends), ContainsSubstring("boundary data") && ContainsSubstring("period"));
+
+        // The next mode; velocity that forgot to follow the frequency's sign; a decaying amplitude; NaN.
+        Motion next_mode = motion_of({bar.L, bar.E, bar.rho, bar.v0, bar.mode + 1, bar.ends});
+        next_mode.bar.mode = bar.mode;
+        CHECK_THAT(ringing(next_mode), ContainsSubstring("initial data") && ContainsSubstring("period"));
+        Motion decaying = good;
+        decaying.velocity = [good](double X, double t) {
+            return good.velocity(X, t) * std::exp(-1e-6 * t / good.transit());
+        };
+        CHECK_THAT(ringing(decaying), ContainsSubstring("energy") && ContainsSubstring("derivatives"));
+        Motion broken = good;
+        broken.displacement = [v_scale](double, double) { return v_scale * std::nan(""); };
+        CHECK_THAT(ringing(broken), ContainsSubstring("equation of motion") && ContainsSubstring("period"));
+    }
+}
