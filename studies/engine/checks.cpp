@@ -20,11 +20,13 @@ std::string found_text(const SeriesFit& fit) {
     return fmt::format("{:.3f} [{:.3f}, {:.3f}], {} points", order.order, order.low, order.high, fit.used.size());
 }
 
-/// Passes only inside the band, with at least three points; two give no interval, so they can fail but not pass.
+/// Passes only inside the band, and with an interval no wider than the band: points that scatter more, or two alone,
+/// can fail an order but not prove it.
 Verdict order_verdict(const Expectation& expectation, const SeriesFit& fit) {
     if (!fit.outcome.fit) return Verdict::fail;
     if (!(std::abs(fit.outcome.fit->order - expectation.value) <= expectation.within)) return Verdict::fail;
-    return fit.used.size() < 3 ? Verdict::inconclusive : Verdict::pass;
+    const bool sharp = fit.outcome.fit->high - fit.outcome.fit->low <= 2 * expectation.within;
+    return sharp ? Verdict::pass : Verdict::inconclusive;
 }
 
 void check_orders(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {

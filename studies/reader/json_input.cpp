@@ -68,8 +68,6 @@ std::string Node::where() const { return pointer_.empty() ? file_ : file_ + ": "
 
 void Node::refuse(const std::string& problem) const { throw InputError(where(), problem); }
 
-std::string Node::key() const { return pointer_.substr(pointer_.rfind('/') + 1); }
-
 void Node::only(const std::vector<std::string>& allowed) const {
     if (!json_->is_object()) refuse("is " + shown(*json_) + ", but must be an object");
     for (const auto& [name, value] : json_->items()) {
@@ -80,7 +78,7 @@ void Node::only(const std::vector<std::string>& allowed) const {
 
 Node Node::at(const std::string& member) const {
     if (!has(member)) refuse("the member '" + member + "' is missing");
-    return {(*json_)[member], file_, pointer_ + "/" + member};
+    return {(*json_)[member], file_, pointer_ + "/" + member, member};
 }
 
 std::vector<Node> Node::items() const {
@@ -92,7 +90,7 @@ std::vector<Node> Node::items() const {
 
 std::vector<Node> Node::members() const {
     std::vector<Node> nodes;
-    for (const auto& [name, value] : json_->items()) nodes.emplace_back(value, file_, pointer_ + "/" + name);
+    for (const auto& [name, value] : json_->items()) nodes.emplace_back(value, file_, pointer_ + "/" + name, name);
     return nodes;
 }
 

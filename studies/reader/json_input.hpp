@@ -21,16 +21,16 @@ std::string read_text(const std::string& path);
 /// A JSON value with the place it stands at, for messages: "bar.json: /scene/E". Every reader throws InputError.
 class Node {
 public:
-    Node(const Json& json, std::string file, std::string pointer = "")
-        : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)) {}
+    Node(const Json& json, std::string file, std::string pointer = "", std::string key = "")
+        : json_(&json), file_(std::move(file)), pointer_(std::move(pointer)), key_(std::move(key)) {}
 
     /// Refuses members outside `allowed` (with the nearest) and values that are no object.
     void only(const std::vector<std::string>& allowed) const;
     bool has(const std::string& member) const { return json_->is_object() && json_->contains(member); }
-    Node at(const std::string& member) const;  ///< throws when it is missing
-    std::vector<Node> items() const;           ///< of an array; a lone value counts as an array of one
-    std::vector<Node> members() const;         ///< of an object, in the order of the file
-    std::string key() const;                   ///< last part of the pointer
+    Node at(const std::string& member) const;        ///< throws when it is missing
+    std::vector<Node> items() const;                 ///< of an array; a lone value counts as an array of one
+    std::vector<Node> members() const;               ///< of an object, in the order of the file
+    const std::string& key() const { return key_; }  ///< its name in the object that it is a member of
 
     double number() const;
     std::string text() const;
@@ -51,6 +51,7 @@ private:
     const Json* json_;
     std::string file_;
     std::string pointer_;
+    std::string key_;
 };
 
 }  // namespace ordo::studies

@@ -25,6 +25,11 @@ Json values_of(const std::string& text) {
 Setting setting_from(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) throw InputError("--set " + text, "must be path=value");
+    try {
+        Json(text).dump();
+    } catch (const Json::exception&) {
+        throw InputError("--set", "is not valid UTF-8");
+    }
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -37,8 +42,8 @@ Value value_from(const std::string& text) {
 }
 
 void put_setting(Json& document, const Setting& setting) {
-    std::string pointer = "/" + setting.path;
-    for (char& c : pointer) c = c == '.' ? '/' : c;
+    std::string pointer = "/";
+    for (const char c : setting.path) pointer += c == '.' ? "/" : c == '/' ? "~1" : c == '~' ? "~0" : std::string{c};
     const std::string parent = setting.path.substr(0, setting.path.find_last_of('.'));
     try {
         const Json::json_pointer place(pointer);

@@ -55,6 +55,7 @@ void check_faults(const std::vector<Fault>& faults) {
 TEST_CASE("cli: what a study may not say is refused with its place", "[cli]") {
     check_faults({
         {R"("about":)", R"("abuot":)", {"s.json", "abuot", "nearest: 'about'"}},
+        {R"("about":)", R"("two\nlines":)", {"s.json", "two lines"}},
         {R"("sweep":{)", R"("sweep":{"cell":4,)", {"/sweep/cell", "nearest: 'cells'"}},
         {R"("study":"sample")", R"("study":3)", {"/study", "must be a string"}},
         {R"("study":"sample")", R"("study":"")", {"/study", "empty"}},

@@ -94,6 +94,30 @@ TEST_CASE("json: what is not finite is null, and every other number keeps its bi
     }
 }
 
+TEST_CASE("json: a report says what was found, and why where nothing was", "[unit]") {
+    const auto all = samples::reports_of_every_kind();
+    const auto ok = json_of(all.at("ok"));
+    const auto& fit = *all.at("ok").result.fits.front().outcome.fit;
+    CHECK(ok["verdict"] == "pass");
+    CHECK(ok["fits"][0]["order"] == fit.order);
+    CHECK(ok["fits"][0]["low"] == fit.low);
+    CHECK(ok["fits"][0]["high"] == fit.high);
+    CHECK(ok["fits"][0]["coefficient"] == fit.coefficient);
+    CHECK(ok["fits"][0]["correlation"] == fit.correlation);
+    CHECK(ok["fits"][0]["neighbours"].size() == 2);
+    CHECK(ok["fits"][0]["used"].size() == 3);
+    CHECK(ok["fits"][0]["refused"] == "");
+    CHECK(ok["provenance"]["run_seconds"].size() == 3);
+    CHECK_THAT(json_of(all.at("nan"))["fits"][0]["refused"].get<std::string>(), ContainsSubstring("nan"));
+    const auto reference = json_of(all.at("reference"));
+    CHECK(reference["fits"][0]["left_out"][0]["run"] == 3);
+    CHECK(reference["fits"][0]["left_out"][0]["why"] == "it is the reference");
+    const auto match = json_of(all.at("published"))["published"][0];
+    CHECK(match["printed"] == "2.6865e-04");
+    CHECK(match["ours_as_printed"] == "2.6865e-04");
+    CHECK(match["run"] == 0);
+}
+
 TEST_CASE("json: the same report is the same text", "[unit]") {
     const auto once = json_of(samples::report_of(samples::study()));
     auto again = json_of(samples::report_of(samples::study()));

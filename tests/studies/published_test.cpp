@@ -1,6 +1,7 @@
 // Published tables, through the whole engine: every printed digit.
 #include <sstream>
 
+#include "reports/gate.hpp"
 #include "reports/table/table.hpp"
 #include "studies/engine/engine.hpp"
 #include "studies/engine/judge.hpp"
@@ -86,4 +87,16 @@ TEST_CASE("the digits of table A1 hang on every choice that the study names", "[
 TEST_CASE("the bar in dt: second order against the finest step where a(0) = 0", "[convergence]") {
     CHECK(run_study("vibrating_bar_dt.json").verdict == Verdict::pass);
     CHECK(run_study("vibrating_bar_dt_small.json").verdict == Verdict::pass);
+}
+
+TEST_CASE("the flagship study is as accepted", "[published]") {
+    const ordo::reports::Report report{run_study("vibrating_bar.json"), {}};
+    const std::string path =
+        ordo::reports::baseline_path(std::string(ORDO_SOURCE_DIR) + "/reports/baseline", report.result.study.name);
+    const auto checks = ordo::reports::checks_against(report, ordo::reports::read_baseline(path));
+    CHECK(checks.size() == 2);
+    for (const auto& check : checks) {
+        CAPTURE(check.found);
+        CHECK(check.verdict == Verdict::pass);
+    }
 }

@@ -143,6 +143,15 @@ TEST_CASE("two points can fail an order but not prove it", "[unit]") {
     CHECK(verdict_of(study, planned_runs(study, [](double h) { return h; })) == Verdict::fail);
 }
 
+TEST_CASE("points that scatter do not prove an order, wherever their slope lies", "[alarm]") {
+    const Study study = study_of(tests::sample_document());
+    auto runs = planned_runs(study, second_order);
+    runs[1].errors[0].value *= 20;  // the slope of three points does not see the middle one
+    const Result result = judged(study, runs);
+    REQUIRE(result.fits[0].outcome.fit->order == Approx(2).epsilon(1e-12));
+    CHECK(result.verdict == Verdict::inconclusive);
+}
+
 TEST_CASE("a study that expects nothing is inconclusive", "[alarm]") {
     auto document = tests::sample_document();
     document.erase("expect");

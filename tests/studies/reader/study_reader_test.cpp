@@ -116,6 +116,7 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/allow", "\"failed\"", "must be one of: diverged"},
         {"/published", "{\"file\": \"none.json\", \"compare\": \"digits\"}", "there is no such file"},
         {"/published", "{\"compare\": \"digits\"}", "the member 'table' is missing"},
+        {"/scene/x~1E", "5", "'x/E' is not a parameter of scene bar_vibration"},
         {"/study", "\"\"", "/study: is empty"},
         {"/study", "7", "/study: is 7, but must be a string"},
     }));
