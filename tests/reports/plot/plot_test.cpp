@@ -253,9 +253,9 @@ TEST_CASE("plot: a hostile name is drawn and not obeyed", "[cli]") {
     report.result.fits[1].outcome.refused = hostile;
     const std::string script = script_of(report);  // its own name would be too long for a file
     folder.write("hostile.gp", script);
-    // In the locale C gnuplot warns that it has no degree sign there.
-    const auto outcome = outside::run({"gnuplot", "-e", "output = 'hostile.svg'", "hostile.gp"},
-                                      {.folder = folder.path(), .environment = {{"LC_ALL", "C.UTF-8"}}});
+    const auto outcome =
+        outside::run({"gnuplot", "-e", "output = 'hostile.svg'", "hostile.gp"},
+                     {.folder = folder.path(), .environment = {{"LC_ALL", "C.UTF-8"}}});  // C lacks a degree sign
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "");
     CHECK(folder.names() == std::vector<std::string>{"hostile.gp", "hostile.svg"});
