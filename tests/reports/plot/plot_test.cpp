@@ -251,11 +251,10 @@ TEST_CASE("plot: a hostile name is drawn and not obeyed", "[cli]") {
     for (auto& series : report.result.series) series.label += hostile;
     for (auto& fit : report.result.fits) fit.series += hostile;
     report.result.fits[1].outcome.refused = hostile;
-    const std::string script = script_of(report);  // its own name would be too long for a file
+    const std::string script = script_of(report);  // its own name is too long for a file; locale C has no degree sign
     folder.write("hostile.gp", script);
-    const auto outcome =
-        outside::run({"gnuplot", "-e", "output = 'hostile.svg'", "hostile.gp"},
-                     {.folder = folder.path(), .environment = {{"LC_ALL", "C.UTF-8"}}});  // C lacks a degree sign
+    const auto outcome = outside::run({"gnuplot", "-e", "output = 'hostile.svg'", "hostile.gp"},
+                                      {.folder = folder.path(), .environment = {{"LC_ALL", "C.UTF-8"}}});
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "");
     CHECK(folder.names() == std::vector<std::string>{"hostile.gp", "hostile.svg"});
