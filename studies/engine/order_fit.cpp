@@ -10,8 +10,8 @@
 namespace ordo::studies {
 namespace {
 
-/// Why these points (by falling abscissa) cannot be fitted, or "".
-std::string refusal(const std::vector<FitPoint>& points) {
+/// Why one of these points cannot be fitted, or "".
+std::string refused_point(const std::vector<FitPoint>& points) {
     for (const auto& [abscissa, error] : points) {
         const std::string at = " at abscissa " + shortest(abscissa);
         if (!(abscissa > 0) || !std::isfinite(abscissa))
@@ -20,6 +20,11 @@ std::string refusal(const std::vector<FitPoint>& points) {
         if (error == 0) return "the error is zero" + at;
         if (error < 0) return "the error is negative" + at;
     }
+    return "";
+}
+
+/// Why these points, by falling abscissa, cannot be fitted together, or "".
+std::string refused_set(const std::vector<FitPoint>& points) {
     if (points.size() < 2) return "fewer than two points";
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (points[i].abscissa == points[i - 1].abscissa)
@@ -73,9 +78,10 @@ double neighbour_order(FitPoint coarse, FitPoint fine) {
 }
 
 FitOutcome fit_order(std::vector<FitPoint> points) {
+    if (auto why = refused_point(points); !why.empty()) return {.fit = {}, .refused = std::move(why)};
     std::stable_sort(points.begin(), points.end(),
                      [](const FitPoint& a, const FitPoint& b) { return a.abscissa > b.abscissa; });
-    if (auto why = refusal(points); !why.empty()) return {.fit = {}, .refused = std::move(why)};
+    if (auto why = refused_set(points); !why.empty()) return {.fit = {}, .refused = std::move(why)};
     const Moments sum = moments(points);
     OrderFit fit;
     fit.order = sum.xy / sum.xx;
