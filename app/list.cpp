@@ -7,6 +7,7 @@
 
 #include "app/command.hpp"
 #include "core/error.hpp"
+#include "core/named.hpp"
 #include "core/text.hpp"
 #include "oracles/oracle.hpp"
 #include "reports/schema.hpp"
@@ -63,12 +64,7 @@ void list_catalogue(const std::vector<T>& entries, const std::string& title, con
         for (const auto& entry : entries) line(entry.name, entry.about);
         return;
     }
-    std::vector<std::string> names;
-    for (const auto& entry : entries) {
-        if (entry.name == name) return show_one(entry);
-        names.push_back(entry.name);
-    }
-    throw InputError("ordo list " + title, "there is no '" + name + "'" + did_you_mean(name, names));
+    show_one(named(entries, name, "ordo list " + title, "there is no"));
 }
 
 void list_norms() {

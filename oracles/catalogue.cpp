@@ -1,6 +1,5 @@
 // THE list of exact solutions: one include and one line each.
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/named.hpp"
 #include "oracles/bar_vibration.hpp"
 #include "oracles/free_flight.hpp"
 
@@ -15,12 +14,7 @@ const std::vector<Oracle>& all_oracles() {
 }
 
 const Oracle& oracle_named(const std::string& name, const std::string& where) {
-    std::vector<std::string> names;
-    for (const auto& oracle : all_oracles()) {
-        if (oracle.name == name) return oracle;
-        names.push_back(oracle.name);
-    }
-    throw InputError(where, "there is no exact solution '" + name + "'" + did_you_mean(name, names));
+    return named(all_oracles(), name, where, "there is no exact solution");
 }
 
 const Exact::Entry* Exact::find(const std::string& field) const {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/named.hpp"
 
 namespace ordo::solvers {
 
@@ -18,12 +17,7 @@ const Field& Snapshot::field(const std::string& name) const {
 long steps_to(double duration, double dt) { return std::max(0L, static_cast<long>(std::ceil(duration / dt - 1e-9))); }
 
 const Solver& solver_named(const std::string& name, const std::string& where) {
-    std::vector<std::string> names;
-    for (const auto& solver : all_solvers()) {
-        if (solver.name == name) return solver;
-        names.push_back(solver.name);
-    }
-    throw InputError(where, "there is no solver '" + name + "'" + did_you_mean(name, names));
+    return named(all_solvers(), name, where, "there is no solver");
 }
 
 }  // namespace ordo::solvers

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/named.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -25,12 +24,7 @@ bool enrol(SceneEntry entry) {
 const std::vector<SceneEntry>& all_scenes() { return catalogue(); }
 
 const SceneEntry& scene_named(const std::string& name, const std::string& where) {
-    std::vector<std::string> names;
-    for (const auto& scene : all_scenes()) {
-        if (scene.name == name) return scene;
-        names.push_back(scene.name);
-    }
-    throw InputError(where, "there is no scene '" + name + "'" + did_you_mean(name, names));
+    return named(all_scenes(), name, where, "there is no scene");
 }
 
 }  // namespace ordo::studies
