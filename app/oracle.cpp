@@ -72,30 +72,20 @@ std::vector<double> positions(const po::variables_map& options, int dim) {
     return grid(options["grid"].as<std::string>());
 }
 
-void check_inside(const oracles::Exact& exact, const std::vector<double>& x, const std::string& name) {
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        const std::size_t axis = k % exact.lower.size();
-        if (x[k] >= exact.lower[axis] && x[k] <= exact.upper[axis]) continue;
-        throw InputError("ordo oracle " + name, "x = " + shortest(x[k]) + " lies outside [" +
-                                                    shortest(exact.lower[axis]) + ", " + shortest(exact.upper[axis]) +
-                                                    "]");
-    }
-}
-
 /// Columns of positions, then of every field's components.
 std::vector<Column> evaluated(const oracles::Exact& exact, const std::vector<double>& x, double t) {
     const auto dim = static_cast<std::size_t>(exact.dim);
     std::vector<Column> columns;
     for (const auto& name : component_names("x", exact.dim, exact.dim)) columns.push_back({name, "m", {}});
     for (std::size_t k = 0; k < x.size(); ++k) columns[k % dim].values.push_back(x[k]);
-    for (const auto& entry : exact.fields) {
-        const auto names = component_names(entry.field.name, components_of(entry.field.rank, exact.dim), exact.dim);
-        const std::size_t first = columns.size();
-        for (const auto& name : names) columns.push_back({name, entry.field.unit, {}});
-        std::vector<double> values(names.size());
-        for (std::size_t point = 0; point < x.size(); point += dim) {
-            entry.evaluate(std::span(x).subspan(point, dim), t, values);
-            for (std::size_t k = 0; k < values.size(); ++k) columns[first + k].values.push_back(values[k]);
+    const std::size_t width = exact.width();
+    std::vector<double> values(x.size() / dim * width);
+    exact.sample(x, t, values);
+    for (const auto& field : exact.fields) {
+        for (const auto& name : component_names(field.name, components_of(field.rank, exact.dim), exact.dim)) {
+            const std::size_t first = columns.size() - dim;
+            columns.push_back({name, field.unit, {}});
+            for (std::size_t k = first; k < values.size(); k += width) columns.back().values.push_back(values[k]);
         }
     }
     return columns;
@@ -116,7 +106,7 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     if (!options.contains("t")) throw InputError("ordo oracle", "needs a time: --t T");
     const double t = number_of(options["t"].as<std::string>(), "--t");
     const auto x = positions(options, exact.dim);
-    check_inside(exact, x, oracle.name);
+    exact.check(x, t, "ordo oracle " + oracle.name);
     std::cout << columns_as(options["format"].as<std::string>(), evaluated(exact, x, t), "ordo oracle");
     return all_hold;
 }

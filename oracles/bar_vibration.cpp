@@ -1,5 +1,6 @@
 #include "oracles/bar_vibration.hpp"
 
+#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
@@ -7,11 +8,6 @@ namespace ordo::oracles {
 namespace {
 
 constexpr double pi = boost::math::constants::pi<double>();
-
-template <class F>
-Exact::Evaluate scalar(F f) {
-    return [f](std::span<const double> x, double t, std::span<double> value) { value[0] = f(x[0], t); };
-}
 
 Exact bind(const Values& values) {
     const BarVibration bar{
@@ -25,11 +21,11 @@ Exact bind(const Values& values) {
             .coordinates = Coordinates::material,
             .lower = {0},
             .upper = {bar.L},
-            .fields = {{{"displacement", "m", 1}, scalar([bar](double X, double t) { return bar.displacement(X, t); })},
-                       {{"velocity", "m/s", 1}, scalar([bar](double X, double t) { return bar.velocity(X, t); })},
-                       {{"stress", "Pa", 2}, scalar([bar](double X, double t) { return bar.stress(X, t); })},
-                       {{"strain", "-", 2}, scalar([bar](double X, double t) { return bar.strain(X, t); })}},
-            .jumps = [](double) { return std::vector<double>{}; }};
+            .fields = standard_fields(),
+            .sample = along_a_line([bar](double X, double t) {
+                return std::array{bar.displacement(X, t), bar.velocity(X, t), bar.stress(X, t), bar.strain(X, t)};
+            }),
+            .jumps = no_jumps};
 }
 
 }  // namespace
@@ -55,6 +51,12 @@ Oracle bar_vibration() {
         .name = "bar_vibration",
         .about = "One mode of an elastic bar, fixed at one end or at both",
         .source = {"WobbesTielen2015"},
+        .explanation =
+            "rho u_tt = E u_XX;  u(X, 0) = 0,  u_t(X, 0) = v0 sin(k X)\n"
+            "u = (v0 / omega) sin(omega t) sin(k X),  omega = k sqrt(E / rho)\n"
+            "fixed_free: k = (2 mode - 1) pi / (2 L);  fixed_fixed: k = mode pi / L\n"
+            "x is the position in the undeformed bar; exact at any strain where the nominal stress is E (F - 1)",
+        .example = "bar_vibration --t 0.5 --grid 0:25:101",
         .parameters = {number("L", "m", 25, positive, "length"), number("E", "Pa", 100, positive, "Young's modulus"),
                        number("rho", "kg/m", 1, positive, "density"),
                        number("v0", "m/s", 0.1, finite, "amplitude of the velocity at t = 0"),

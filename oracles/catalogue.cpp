@@ -17,11 +17,4 @@ const Oracle& oracle_named(const std::string& name, const std::string& where) {
     return named(all_oracles(), name, where, "there is no exact solution");
 }
 
-const Exact::Entry* Exact::find(const std::string& field) const {
-    for (const auto& entry : fields) {
-        if (entry.field.name == field) return &entry;
-    }
-    return nullptr;
-}
-
 }  // namespace ordo::oracles

@@ -8,25 +8,20 @@ namespace {
 Exact bind(const Values& values) {
     const FreeFlight flight{.dim = values.whole("dim"), .v0 = values.number("v0"), .g = values.number("g")};
     const auto edges = static_cast<std::size_t>(flight.dim);
-    const auto vector = [flight](double (FreeFlight::*component)(int, double) const) -> Exact::Evaluate {
-        return [flight, component](std::span<const double>, double t, std::span<double> value) {
-            for (int axis = 0; axis < flight.dim; ++axis) {
-                value[static_cast<std::size_t>(axis)] = (flight.*component)(axis, t);
-            }
-        };
-    };
-    const Exact::Evaluate zero = [](std::span<const double>, double, std::span<double> value) {
-        std::fill(value.begin(), value.end(), 0.0);
+    const auto one_point = [flight](std::span<const double>, double t, std::span<double> values) {
+        std::fill(values.begin(), values.end(), 0.0);
+        for (int axis = 0; axis < flight.dim; ++axis) {
+            values[static_cast<std::size_t>(axis)] = flight.displacement(axis, t);
+            values[static_cast<std::size_t>(flight.dim + axis)] = flight.velocity(axis, t);
+        }
     };
     return {.dim = flight.dim,
             .coordinates = Coordinates::material,
             .lower = std::vector<double>(edges, 0.0),
             .upper = std::vector<double>(edges, values.number("L")),
-            .fields = {{{"displacement", "m", 1}, vector(&FreeFlight::displacement)},
-                       {{"velocity", "m/s", 1}, vector(&FreeFlight::velocity)},
-                       {{"stress", "Pa", 2}, zero},
-                       {{"strain", "-", 2}, zero}},
-            .jumps = [](double) { return std::vector<double>{}; }};
+            .fields = standard_fields(),
+            .sample = pointwise(edges, 2 * edges + 2 * edges * edges, one_point),
+            .jumps = no_jumps};
 }
 
 }  // namespace
@@ -43,6 +38,8 @@ Oracle free_flight() {
     return {.name = "free_flight",
             .about = "Rigid translation of a free body under a constant force per mass, in 1, 2 or 3 dimensions",
             .source = {"Newton1687"},
+            .explanation = "u(X, t) = v0 t e_first + g t^2 / 2 e_last;  the body does not deform, nothing depends on x",
+            .example = "free_flight --set dim=2 --t 0.5 --x 0.2:0.3",
             .parameters = {whole("dim", 1, between(1, 3), "space dimension"),
                            number("L", "m", 1, positive, "edge of the body"),
                            number("v0", "m/s", 1, finite, "velocity along the first axis at t = 0"),

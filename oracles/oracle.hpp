@@ -1,8 +1,10 @@
 #pragma once
 // What an exact solution is, for everyone who asks by name. Each one is also a plain struct in its own header.
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/field.hpp"
@@ -13,34 +15,87 @@ namespace ordo::oracles {
 /// Which positions an exact solution is a function of: those in the undeformed body, or those in space now.
 enum class Coordinates { material, spatial };
 
+struct Constant;
+using Constants = std::vector<Constant>;
+
+/// One thing that does not depend on x: a number, a word, or a list of records such as the waves of a Riemann problem.
+struct Constant {
+    std::string name;
+    std::variant<double, std::string, std::vector<Constants>> value;
+};
+
 /// An exact solution with its numbers filled in.
 struct Exact {
-    /// One field at one point: x has dim entries [m], t is the time [s], value receives the field's components.
-    using Evaluate = std::function<void(std::span<const double> x, double t, std::span<double> value)>;
-    struct Entry {
-        FieldInfo field;
-        Evaluate evaluate;
-    };
+    /// All fields at n points in one call: x holds n x dim coordinates [m], t is the time [s], values receives
+    /// n x width() numbers, a row a point, the fields' components in the order of `fields`. NaN where a field has no
+    /// value, as velocity in a vacuum. Throws InputError for a point of the box that is not of the body.
+    using Sample = std::function<void(std::span<const double> x, double t, std::span<double> values)>;
+
     int dim = 1;
     Coordinates coordinates = Coordinates::material;
     std::vector<double> lower;  ///< box in which it holds, dim entries [m]
     std::vector<double> upper;
-    std::vector<Entry> fields;
+    Range times = at_least(0);  ///< when it holds [s]
+    std::vector<FieldInfo> fields;
+    Sample sample;
+    Sample averages{};  ///< means over n cells in 1D; x holds their n + 1 rising edges. Empty when it offers none
     std::function<std::vector<double>(double t)> jumps;  ///< where a field is discontinuous at time t (1D) [m]
+    std::function<Constants(std::optional<double> t)> constants{};  ///< empty when there are none
 
-    const Entry* find(const std::string& field) const;  ///< nullptr when it has no such field
+    std::size_t width() const;                                          ///< numbers a point
+    std::optional<std::size_t> offset(const std::string& field) const;  ///< of its first component in a row
+
+    /// Throws InputError, opened by `where`, when t is outside `times` or one of the n x dim coordinates outside the
+    /// box.
+    void check(std::span<const double> x, double t, const std::string& where) const;
 };
+
+/// A Sample from a function f(x, t, values) of one point: x has dim entries, values has width.
+template <class F>
+Exact::Sample pointwise(std::size_t dim, std::size_t width, F f) {
+    return [=](std::span<const double> x, double t, std::span<double> values) {
+        for (std::size_t i = 0; i * dim < x.size(); ++i)
+            f(x.subspan(i * dim, dim), t, values.subspan(i * width, width));
+    };
+}
+
+/// A Sample in one dimension from a function f(x, t) that returns the fields of one point as a std::array.
+template <class F>
+Exact::Sample along_a_line(F f) {
+    return [=](std::span<const double> x, double t, std::span<double> values) {
+        auto out = values.begin();
+        for (const double place : x) {
+            for (const double value : f(place, t)) *out++ = value;
+        }
+    };
+}
+
+/// Averages from a function f(a, b, t) that returns the fields' means over [a, b] as a std::array.
+template <class F>
+Exact::Sample over_cells(F f) {
+    return [=](std::span<const double> edges, double t, std::span<double> values) {
+        auto out = values.begin();
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+            for (const double value : f(edges[i], edges[i + 1], t)) *out++ = value;
+        }
+    };
+}
+
+/// `jumps` of a solution that has none.
+inline std::vector<double> no_jumps(double) { return {}; }
 
 /// One line of the catalogue: name, declarations, and how to fill in the numbers.
 struct Oracle {
     std::string name;
     std::string about;
     std::vector<std::string> source;  ///< keys of docs/references.bib
+    std::string explanation;          ///< lines: equations, formula, conventions, what is refused, constants
+    std::string example;              ///< arguments of a working call of `ordo oracle`
     std::vector<Parameter> parameters;
     std::vector<FieldInfo> fields;
-    std::string smoothness;  ///< "analytic", or what jumps where
-    std::string accuracy;    ///< stated error of every value, with its scale
-    std::function<Exact(const Values&)> bind;
+    std::string smoothness;                    ///< "analytic", or what jumps where
+    std::string accuracy;                      ///< stated error of every value, with its scale
+    std::function<Exact(const Values&)> bind;  ///< throws InputError where theory has no solution
 };
 
 /// All exact solutions, one line each in catalogue.cpp.

@@ -3,8 +3,8 @@
 # Every failure here is one of the environment: exit code 4, as the command `ordo` has it.
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev libboost-math-dev libboost-program-options-dev
-    nlohmann-json3-dev libfmt-dev gnuplot-nox fonts-dejavu-core)
-test_packages=("${build_packages[@]}" libgsl-dev catch2 libvalijson-dev python3-jsonschema)
+    libgsl-dev nlohmann-json3-dev libfmt-dev gnuplot-nox fonts-dejavu-core)
+test_packages=("${build_packages[@]}" catch2 libvalijson-dev python3-jsonschema)
 
 fail() {
     echo "$(basename "$0"): $*" >&2

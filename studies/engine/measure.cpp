@@ -7,29 +7,38 @@
 namespace ordo::studies {
 namespace {
 
-std::vector<double> exact_values(const oracles::Exact::Entry& entry, const solvers::Snapshot& shot,
-                                 oracles::Coordinates coordinates, int components) {
-    const auto dim = static_cast<std::size_t>(shot.dim);
-    const auto width = static_cast<std::size_t>(components);
-    const std::span<const double> points(coordinates == oracles::Coordinates::material ? shot.X : shot.x);
-    std::vector<double> values(shot.points() * width);
-    for (std::size_t i = 0; i < shot.points(); ++i) {
-        entry.evaluate(points.subspan(i * dim, dim), shot.t, std::span(values).subspan(i * width, width));
+/// The exact solution's fields at the snapshot's points.
+struct ExactValues {
+    const oracles::Exact& exact;
+    std::vector<double> rows;  ///< points x exact.width()
+
+    ExactValues(const oracles::Exact& truth, const solvers::Snapshot& shot)
+        : exact(truth), rows(shot.points() * truth.width()) {
+        exact.sample(exact.coordinates == oracles::Coordinates::material ? shot.X : shot.x, shot.t, rows);
     }
-    return values;
-}
+
+    std::vector<double> field(const std::string& name, int components) const {
+        const auto offset = exact.offset(name);
+        if (!offset) throw std::logic_error("the exact solution has no field '" + name + "'");
+        std::vector<double> values;
+        for (std::size_t row = *offset; row < rows.size(); row += exact.width()) {
+            const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(row);
+            values.insert(values.end(), begin, begin + components);
+        }
+        return values;
+    }
+};
 
 }  // namespace
 
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
                                             const oracles::Exact& exact) {
     std::vector<RunFigure> errors;
+    const ExactValues truth(exact, shot);
     for (const auto& quantity : quantities) {
         if (quantity.against != Against::exact) continue;
         const Field& found = shot.field(quantity.field);
-        const auto* entry = exact.find(quantity.field);
-        if (entry == nullptr) throw std::logic_error("the exact solution has no field '" + quantity.field + "'");
-        const auto values = exact_values(*entry, shot, exact.coordinates, found.components);
+        const auto values = truth.field(quantity.field, found.components);
         errors.push_back(
             {quantity.key(), error_norm(quantity.norm, found.values, values, shot.weights, found.components)});
     }

@@ -105,7 +105,7 @@ void check_fields(const Node& node, const Study& study) {
     const auto exact = scene_named(study.scene.name, "").truth(study.scene.values);
     for (const auto& item : node.items()) {
         std::vector<std::string> known;
-        for (const auto& entry : exact.fields) known.push_back(entry.field.name);
+        for (const auto& field : exact.fields) known.push_back(field.name);
         for (const auto& choice : study.solvers) {
             const auto& offered = solvers::solver_named(choice.name, "").fields;
             std::erase_if(known, [&](const std::string& name) {
