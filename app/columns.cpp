@@ -8,13 +8,15 @@
 namespace ordo::app {
 namespace {
 
+std::string cell_text(double value) { return std::isnan(value) ? "" : seventeen_digits(value); }
+
 std::string as_csv(const std::vector<Column>& columns, std::size_t rows) {
     std::string text;
-    for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
+    for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name;
     text += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t k = 0; k < columns.size(); ++k)
-            text += (k == 0 ? "" : ",") + seventeen_digits(columns[k].values[row]);
+            text += (k == 0 ? "" : ",") + cell_text(columns[k].values[row]);
         text += '\n';
     }
     return text;

@@ -7,12 +7,11 @@ namespace ordo::app {
 
 struct Column {
     std::string name;
-    std::string unit;
     std::vector<double> values;
 };
 
-/// "csv": a head line "name [unit]", then one line a row; "json": an array of objects, NaN and infinities as null.
-/// Throws InputError with the nearest format on any other word.
+/// "csv": a head line of names, then one line a row, empty where there is no value (NaN); "json": an array of objects,
+/// NaN and infinities as null. Throws InputError with the nearest format on any other word.
 std::string columns_as(const std::string& format, const std::vector<Column>& columns, const std::string& where);
 
 /// Names of the components of a field in dim dimensions: "stress" in 1D, "stress_xx", "stress_xy", ... in 2D.

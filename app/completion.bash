@@ -12,7 +12,7 @@ _ordo() {
         accept) words="--help --because --into --band" ;;
         table) words="--help --format" ;;
         plot) words="--help --out --format" ;;
-        oracle) words="--help --set --t --x --grid --format" ;;
+        oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;
         solve) words="--help --solver --t --set --out --format" ;;
         *) words="" ;;
     esac

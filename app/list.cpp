@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 
@@ -18,7 +19,7 @@
 namespace ordo::app {
 namespace {
 
-void line(const std::string& name, const std::string& about) { std::cout << fmt::format("  {:<18} {}\n", name, about); }
+void line(const std::string& name, const std::string& about) { std::cout << fmt::format("  {:<22} {}\n", name, about); }
 
 void show(const std::string& title, const std::vector<Parameter>& parameters) {
     std::cout << '\n' << title << ":\n";
@@ -27,7 +28,7 @@ void show(const std::string& title, const std::vector<Parameter>& parameters) {
         line(parameter.name,
              fmt::format("{} [{}] default {}{}", parameter.help, parameter.unit, parameter.default_text(), rule));
         for (const auto& choice : parameter.words)
-            std::cout << fmt::format("  {:<18}   {:<16} {}\n", "", choice.name, choice.help);
+            std::cout << fmt::format("  {:<22}   {:<16} {}\n", "", choice.name, choice.help);
     }
 }
 
@@ -48,12 +49,35 @@ void show_solver(const solvers::Solver& solver) {
                              claim.source);
 }
 
+/// The names of the constants of a solution at its defaults.
+std::string constant_names(const oracles::Exact& exact) {
+    std::vector<std::string> names;
+    for (const auto& constant : exact.constants(std::nullopt)) names.push_back(constant.name);
+    return joined(names);
+}
+
+std::string box_text(const oracles::Exact& exact) {
+    std::vector<std::string> edges;
+    for (std::size_t axis = 0; axis < exact.lower.size(); ++axis)
+        edges.push_back("[" + shortest(exact.lower[axis]) + ", " + shortest(exact.upper[axis]) + "]");
+    return joined(edges, " x ");
+}
+
 void show_oracle(const oracles::Oracle& oracle) {
-    std::cout << oracle.name << ": " << oracle.about << "\nsmoothness: " << oracle.smoothness
-              << "; accuracy: " << oracle.accuracy << "; source " << joined(oracle.source) << "\nfields:";
-    for (const auto& field : oracle.fields) std::cout << ' ' << field.name << " [" << field.unit << ']';
-    std::cout << '\n';
+    const auto exact = oracle.bind(resolve(oracle.parameters, {}, "", oracle.name));
+    const bool material = exact.coordinates == oracles::Coordinates::material;
+    std::cout << oracle.name << ": " << oracle.about << "\n\n" << oracle.explanation << "\n\nfields:\n";
+    for (const auto& field : oracle.fields)
+        line(field.name, std::array{"scalar", "vector", "tensor"}[static_cast<std::size_t>(field.rank)] +
+                             std::string(" [") + field.unit + "]");
     show("parameters", oracle.parameters);
+    std::cout << "\nwith the defaults:\n";
+    line("x", (material ? "position in the undeformed body, in " : "position in space, in ") + box_text(exact) + " m");
+    line("t", exact.times.text() + " s");
+    if (exact.constants) line("constants", constant_names(exact));
+    if (exact.averages) line("cells", "exact means over cells");
+    std::cout << "\nsmoothness: " << oracle.smoothness << "\naccuracy: " << oracle.accuracy
+              << "\nsource: " << joined(oracle.source) << "\nexample: ordo oracle " << oracle.example << '\n';
 }
 
 /// All entries by name and line, or one of them whole.

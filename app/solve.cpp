@@ -46,24 +46,17 @@ std::map<std::string, Given> settings(const po::variables_map& options) {
 std::vector<Column> columns_of(const solvers::Snapshot& shot) {
     const auto dim = static_cast<std::size_t>(shot.dim);
     std::vector<Column> columns;
-    const auto add = [&](const std::string& field, const std::string& unit, const std::vector<double>& values,
-                         std::size_t components) {
+    const auto add = [&](const std::string& field, const std::vector<double>& values, std::size_t components) {
         const auto names = component_names(field, static_cast<int>(components), shot.dim);
         for (std::size_t k = 0; k < components; ++k) {
-            columns.push_back({names[k], unit, {}});
+            columns.push_back({names[k], {}});
             for (std::size_t i = 0; i < shot.points(); ++i) columns.back().values.push_back(values[i * components + k]);
         }
     };
-    add("X", "m", shot.X, dim);
-    add("x", "m", shot.x, dim);
-    add("volume", dim == 1 ? "m" : "m^" + std::to_string(dim), shot.weights, 1);
-    for (const auto& field : shot.fields) {
-        std::string unit;
-        for (const auto& info : standard_fields()) {
-            if (info.name == field.name) unit = info.unit;
-        }
-        add(field.name, unit, field.values, static_cast<std::size_t>(field.components));
-    }
+    add("X", shot.X, dim);
+    add("x", shot.x, dim);
+    add("volume", shot.weights, 1);
+    for (const auto& field : shot.fields) add(field.name, field.values, static_cast<std::size_t>(field.components));
     return columns;
 }
 

@@ -3,11 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "reports/plot/gnuplot.hpp"
 #include "reports/report.hpp"
 
 namespace ordo::reports {
-
-enum class PlotFormat { svg, pdf, png };
 
 /// A picture as a gnuplot script that holds its own data.
 struct Figure {
@@ -22,8 +21,5 @@ std::vector<Figure> figures(const Report& report, PlotFormat format);
 /// Writes NAME.gp and has gnuplot draw NAME.svg, .pdf or .png beside it; returns the files made. Throws
 /// EnvironmentError when gnuplot is missing or fails; the .gp files are then there all the same.
 std::vector<std::string> draw(const Report& report, const std::string& folder, PlotFormat format);
-
-/// `text` as a gnuplot string: single quotes, doubled inside, line ends and other control characters as spaces.
-std::string quoted(const std::string& text);
 
 }  // namespace ordo::reports

@@ -7,23 +7,17 @@
 #include <cmath>
 
 #include "core/text.hpp"
-#include "reports/plot/plot.hpp"
 #include "reports/plot/ticks.hpp"
 
 namespace ordo::reports {
 namespace {
 
-// Okabe and Ito's colours without the yellow, and point types filled and hollow: 42 distinct curves.
-constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+// Point types filled and hollow; with the seven colours 42 distinct curves.
 constexpr std::array<std::array<int, 2>, 6> shapes{{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 10}, {15, 14}}};
 
 constexpr std::size_t widest_legend = 100;  // characters that fit under the picture
 
 std::string pair_text(const Point& point) { return shortest(point.x) + " " + shortest(point.y); }
-
-std::string block(const std::string& name, const std::string& rows) {
-    return "$" + name + " << EOD\n" + rows + "EOD\n";
-}
 
 /// Abscissa, error and whether a fit used it; an empty line, which breaks the line of points, for a run without a
 /// point.
@@ -38,16 +32,16 @@ std::string data_blocks(const Layout& layout) {
     std::string text;
     for (std::size_t i = 0; i < layout.curves.size(); ++i) {
         const Curve& curve = layout.curves[i];
-        text += block(fmt::format("points{}", i), point_rows(curve));
+        text += data_block(fmt::format("points{}", i), point_rows(curve));
         for (std::size_t k = 0; k < curve.fits.size(); ++k) {
             const auto& [coarse, fine] = curve.fits[k];
-            text += block(fmt::format("fit{}_{}", i, k), pair_text(coarse) + "\n" + pair_text(fine) + "\n");
+            text += data_block(fmt::format("fit{}_{}", i, k), pair_text(coarse) + "\n" + pair_text(fine) + "\n");
         }
     }
     for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
         const auto& [left, right, angle] = layout.triangles[i].corners;
-        text += block(fmt::format("triangle{}", i), pair_text(left) + "\n" + pair_text(right) + "\n" +
-                                                        pair_text(angle) + "\n" + pair_text(left) + "\n");
+        text += data_block(fmt::format("triangle{}", i), pair_text(left) + "\n" + pair_text(right) + "\n" +
+                                                             pair_text(angle) + "\n" + pair_text(left) + "\n");
     }
     return text;
 }
@@ -78,20 +72,6 @@ Legend legend_shape(const Layout& layout) {
     const std::size_t entries = layout.curves.size();
     const std::size_t columns = entries < 3 || std::ranges::any_of(layout.curves, is_long) ? 1 : 2;
     return {columns, (entries + columns - 1) / columns};
-}
-
-/// Pictures of 900 px or 9 in; each row of the legend makes them higher instead of taking from the axes.
-std::string terminal(PlotFormat format, const Legend& legend) {
-    const int height = 580 + 20 * static_cast<int>(legend.rows);
-    switch (format) {
-        case PlotFormat::svg:
-            return fmt::format("svg enhanced size 900,{} font 'DejaVu Sans,10' fontscale 1.3 background 'white'",
-                               height);
-        case PlotFormat::pdf:
-            return fmt::format("pdfcairo enhanced size 9in,{}in font 'DejaVu Sans,10' fontscale 0.6", 0.01 * height);
-        case PlotFormat::png: break;
-    }
-    return fmt::format("pngcairo enhanced size 900,{} font 'DejaVu Sans,10'", height);
 }
 
 /// The legend stands below the axes, where it hides no data.
@@ -158,15 +138,11 @@ std::string plot_command(const Layout& layout) {
 
 }  // namespace
 
-std::string ending_of(PlotFormat format) {
-    return format == PlotFormat::svg ? ".svg" : format == PlotFormat::pdf ? ".pdf" : ".png";
-}
-
 std::string script_of(const studies::Result& result, const View& view, PlotFormat format, const std::string& picture) {
     const Layout layout = layout_of(result, view);
     const Legend legend = legend_shape(layout);
-    std::string text = "set terminal " + terminal(format, legend) + "\nset encoding utf8\n";
-    text += "if (!exists('output')) output = " + quoted(picture) + "\nset output output\n";
+    const int height = 580 + 20 * static_cast<int>(legend.rows);  // rows of the legend take nothing from the axes
+    std::string text = opening(format, height, picture);
     text += data_blocks(layout) + settings(result, view, layout, legend) + plot_command(layout);
     return text + "unset output\n";
 }

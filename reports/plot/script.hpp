@@ -2,13 +2,11 @@
 // A gnuplot script that holds its data.
 #include <string>
 
+#include "reports/plot/gnuplot.hpp"
 #include "reports/plot/layout.hpp"
-#include "reports/plot/plot.hpp"
+#include "reports/view.hpp"
 
 namespace ordo::reports {
-
-/// ".svg", ".pdf" or ".png"
-std::string ending_of(PlotFormat format);
 
 /// The script of one figure. It draws into the file `picture` in its folder, or into the file that a variable `output`
 /// names. Text of the user stands in it inside quoted() alone, and never in a data block.

@@ -43,7 +43,7 @@ TEST_CASE("cli: an exact solution with 17 digits, bit for bit", "[cli]") {
     CHECK(outcome.err.empty());
     const auto lines = lines_of(outcome.out);
     REQUIRE(lines.size() == 4);
-    CHECK(lines[0] == "x [m],displacement [m],velocity [m/s],stress [Pa],strain [-]");
+    CHECK(lines[0] == "x,displacement,velocity,stress,strain");
     const oracles::BarVibration bar{
         .L = 25, .E = 100, .rho = 1, .v0 = 0.1, .mode = 1, .ends = oracles::BarVibration::Ends::fixed_free};
     for (const auto& [k, x] : {std::pair{1, 0.1}, {2, 5.0}, {3, 25.0}}) {
@@ -83,7 +83,7 @@ TEST_CASE("cli: what cannot be evaluated is refused", "[cli]") {
     const std::vector<std::pair<Words, std::string>> wrong{
         {{"--x", "5"}, "--t"},
         {{"--t", "1"}, "--grid"},
-        {{"--t", "1", "--x", "5", "--grid", "0:1:2"}, "exactly one of --x and --grid"},
+        {{"--t", "1", "--x", "5", "--grid", "0:1:2"}, "exactly one of --x, --grid, --points and --cells"},
         {{"--t", "1", "--x", "25.1"}, "outside [0, 25]"},
         {{"--t", "1", "--x", "5,-1"}, "outside [0, 25]"},
         {{"--t", "1", "--grid", "0:26:3"}, "outside [0, 25]"},

@@ -33,7 +33,7 @@ TEST_CASE("cli: a run's particles as columns", "[cli]") {
     std::istringstream lines(outcome.out);
     std::string line;
     std::getline(lines, line);
-    CHECK(line == "X [m],x [m],volume [m],displacement [m],velocity [m/s],stress [Pa],strain [-]");
+    CHECK(line == "X,x,volume,displacement,velocity,stress,strain");
     int rows = 0;
     for (; std::getline(lines, line); ++rows) CHECK(std::count(line.begin(), line.end(), ',') == 6);
     CHECK(rows == 8);

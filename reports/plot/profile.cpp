@@ -1,0 +1,95 @@
+#include "reports/plot/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "reports/files.hpp"
+
+namespace ordo::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int panel_height = 230;  // px
+constexpr int heading_height = 60;
+
+PlotFormat format_by_ending(const std::string& picture) {
+    const std::string ending = fs::path(picture).extension().string();
+    for (const auto format : {PlotFormat::svg, PlotFormat::pdf, PlotFormat::png}) {
+        if (ending == ending_of(format)) return format;
+    }
+    throw InputError(one_line(picture), "a picture's name must end in .svg, .pdf or .png");
+}
+
+/// Place and components; an empty line, which breaks the lines, where a component has no value.
+std::string rows(const Profile& profile, const Panel& panel) {
+    std::string text;
+    for (std::size_t i = 0; i < profile.places.size(); ++i) {
+        std::string row = shortest(profile.places[i]);
+        bool whole = true;
+        for (const auto& component : panel.values) {
+            whole = whole && std::isfinite(component[i]);
+            row += " " + shortest(component[i]);
+        }
+        text += whole ? row + "\n" : "\n";
+    }
+    return text;
+}
+
+std::string plot_of(const Panel& panel, std::size_t index, const std::string& abscissa) {
+    std::string text = "set xlabel " + quoted(abscissa) + " noenhanced\n";
+    text += "set ylabel " + quoted(panel.field + " [" + panel.unit + "]") + " noenhanced\n";
+    std::vector<std::string> curves;
+    for (std::size_t k = 0; k < panel.components.size(); ++k) {
+        const std::string title =
+            panel.components.size() == 1 ? "notitle" : "title " + quoted(panel.components[k]) + " noenhanced";
+        curves.push_back(fmt::format("$panel{} using 1:{} with lines linewidth 2 linecolor '{}' {}", index, k + 2,
+                                     colours[k % colours.size()], title));
+    }
+    return text + "plot " + joined(curves, ", \\\n     ") + "\n";
+}
+
+}  // namespace
+
+std::string script_of(const Profile& profile, PlotFormat format, const std::string& picture) {
+    const std::size_t across = profile.panels.size() == 1 ? 1 : 2;
+    const std::size_t down = (profile.panels.size() + across - 1) / across;
+    const int height = heading_height + panel_height * static_cast<int>(down) * (across == 1 ? 2 : 1);
+    std::string text = opening(format, height, picture);
+    for (std::size_t i = 0; i < profile.panels.size(); ++i)
+        text += data_block(fmt::format("panel{}", i), rows(profile, profile.panels[i]));
+    text += fmt::format("set multiplot layout {},{} margins screen 0.1,0.97,{:.4f},{:.4f} spacing screen 0.12,{:.4f}\n",
+                        down, across, 55.0 / height, 1 - 70.0 / height, 62.0 / height);
+    text += fmt::format("set label 1 {} at screen 0.5,{:.4f} center noenhanced font ',13'\n", quoted(profile.title),
+                        1 - 22.0 / height);
+    text += fmt::format("set label 2 {} at screen 0.5,{:.4f} center noenhanced textcolor '#555555'\n",
+                        quoted(profile.subtitle), 1 - 46.0 / height);
+    text += "set grid linetype 1 linecolor '#dddddd' linewidth 0.6\nset offsets 0,0,graph 0.06,graph 0.06\n";
+    text += "set format y '%.3g'\nset key noautotitle samplen 1.5\n";
+    const auto [low, high] = std::ranges::minmax(profile.places);
+    text += fmt::format("set xrange [{}:{}]\n", shortest(low), shortest(high));
+    for (std::size_t i = 0; i < profile.panels.size(); ++i) {
+        text += plot_of(profile.panels[i], i, profile.abscissa);
+        if (i == 0) text += "unset label 1\nunset label 2\n";
+    }
+    return text + "unset multiplot\nunset output\n";
+}
+
+std::vector<std::string> draw(const Profile& profile, const std::string& picture) {
+    const PlotFormat format = format_by_ending(picture);
+    const auto [low, high] = std::ranges::minmax(profile.places);
+    if (!(low < high)) throw InputError(one_line(picture), "a picture needs two different places at least");
+    const std::string script = fs::path(picture).replace_extension(".gp").string();
+    check_writable(picture);
+    check_writable(script);
+    write_whole(script, script_of(profile, format, fs::path(picture).filename().string()));
+    draw_picture(script, picture);
+    return {script, picture};
+}
+
+}  // namespace ordo::reports
