@@ -17,11 +17,38 @@ namespace {
 
 using oracles::Exact;
 
-/// The fields at all places, a row of exact.width() numbers a place.
-std::vector<double> sampled(const Exact& exact, const Places& places, double t, const std::string& where) {
+/// Where and when: one time at many places, or many times at one place.
+struct Question {
+    Places places;
+    std::vector<double> times;
+
+    bool is_history() const { return times.size() > 1; }
+};
+
+/// --t T, or --t FROM:TO:N for a history at one place.
+Question question_from(const po::variables_map& options, int dim) {
+    if (!options.contains("t")) throw InputError("ordo oracle", "needs a time: --t T");
+    const auto text = options["t"].as<std::string>();
+    const bool is_history = text.find(':') != std::string::npos;
+    const Question question{
+        places_from(options, dim, "ordo oracle"),
+        is_history ? line_of(text, "ordo oracle --t") : std::vector<double>{number_of(text, "ordo oracle --t")}};
+    if (is_history && question.places.count() != 1)
+        throw InputError("ordo oracle --t", "a history FROM:TO:N is of one place, but there are " +
+                                                std::to_string(question.places.count()));
+    return question;
+}
+
+/// The fields at all places or times, a row of exact.width() numbers each.
+std::vector<double> sampled(const Exact& exact, const Question& question, const std::string& where) {
+    const Places& places = question.places;
     if (places.cells && !exact.averages) throw InputError(where + " --cells", "offers no cell averages");
-    std::vector<double> rows(places.count() * exact.width());
-    (places.cells ? exact.averages : exact.sample)(places.x, t, rows);
+    for (const double t : question.times) exact.check(places.x, t, where);
+    const std::size_t length = places.count() * exact.width();
+    std::vector<double> rows(question.times.size() * length);
+    for (std::size_t k = 0; k < question.times.size(); ++k)
+        (places.cells ? exact.averages : exact.sample)(places.x, question.times[k],
+                                                       std::span(rows).subspan(k * length, length));
     return rows;
 }
 
@@ -46,9 +73,14 @@ std::vector<reports::Panel> panels_of(const Exact& exact, const std::vector<doub
     return panels;
 }
 
-std::vector<Column> columns_of(const Exact& exact, const Places& places, const std::vector<double>& rows) {
+std::vector<Column> columns_of(const Exact& exact, const Question& question, const std::vector<double>& rows) {
     std::vector<Column> columns;
-    for (int axis = 0; axis < exact.dim; ++axis) columns.push_back({std::string{"xyz"[axis]}, places.coordinate(axis)});
+    if (question.is_history()) columns.push_back({"t", question.times});
+    for (int axis = 0; axis < exact.dim; ++axis) {
+        auto values = question.places.coordinate(axis);
+        if (question.is_history()) values.assign(question.times.size(), values.front());
+        columns.push_back({std::string{"xyz"[axis]}, values});
+    }
     for (const auto& panel : panels_of(exact, rows)) {
         for (std::size_t k = 0; k < panel.components.size(); ++k)
             columns.push_back({panel.components[k], panel.values[k]});
@@ -78,8 +110,20 @@ int show_constants(const Exact& exact, const po::variables_map& options, const s
     return all_hold;
 }
 
-std::string settings_text(const po::variables_map& options) {
-    return options.contains("set") ? joined(options["set"].as<std::vector<std::string>>()) + ", " : "";
+/// --plot: fields along a line, or over time at one place.
+int draw_profile(const Exact& exact, const std::string& name, const po::variables_map& options,
+                 const Question& question, const std::vector<double>& rows) {
+    std::vector<std::string> subtitle;
+    if (options.contains("set")) subtitle = options["set"].as<std::vector<std::string>>();
+    const std::string place = options.contains("x") ? options["x"].as<std::string>() : "";
+    subtitle.push_back(question.is_history() ? "x = " + place + " m"
+                                             : "t = " + shortest(question.times.front()) + " s");
+    const std::string along = exact.dim == 1 ? "x [m]" : "distance along the line [m]";
+    const reports::Profile profile{name, joined(subtitle), question.is_history() ? "t [s]" : along,
+                                   question.is_history() ? question.times : question.places.along(),
+                                   panels_of(exact, rows)};
+    for (const auto& file : reports::draw(profile, options["plot"].as<std::string>())) std::cout << file << '\n';
+    return all_hold;
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& words) {
@@ -90,19 +134,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     const auto exact =
         oracle.bind(resolve(oracle.parameters, given_from(options), "ordo oracle --set", "oracle " + oracle.name));
     if (options.contains("constants")) return show_constants(exact, options, where);
-    if (!options.contains("t")) throw InputError("ordo oracle", "needs a time: --t T");
-    const double t = number_of(options["t"].as<std::string>(), "ordo oracle --t");
-    const auto places = places_from(options, exact.dim, "ordo oracle");
-    exact.check(places.x, t, where);
-    const auto rows = sampled(exact, places, t, where);
-    if (!options.contains("plot")) {
-        std::cout << columns_as(options["format"].as<std::string>(), columns_of(exact, places, rows), "ordo oracle");
-        return all_hold;
-    }
-    const reports::Profile profile{oracle.name, settings_text(options) + "t = " + shortest(t) + " s",
-                                   exact.dim == 1 ? "x [m]" : "distance along the line [m]", places.along(),
-                                   panels_of(exact, rows)};
-    for (const auto& file : reports::draw(profile, options["plot"].as<std::string>())) std::cout << file << '\n';
+    const auto question = question_from(options, exact.dim);
+    const auto rows = sampled(exact, question, where);
+    if (options.contains("plot")) return draw_profile(exact, oracle.name, options, question, rows);
+    std::cout << columns_as(options["format"].as<std::string>(), columns_of(exact, question, rows), "ordo oracle");
     return all_hold;
 }
 
@@ -113,7 +148,7 @@ Command oracle_command() {
     // clang-format off
     options.add_options()
         ("set", po::value<std::vector<std::string>>()->value_name("k=v"), "one parameter; may be repeated")
-        ("t", po::value<std::string>()->value_name("T"), "time [s]")
+        ("t", po::value<std::string>()->value_name("T"), "time [s]; FROM:TO:N for a history at one place")
         ("constants", po::value<bool>()->zero_tokens()->implicit_value(true),
          "what does not depend on x, as JSON; with --t also where the fronts are")
         ("plot", po::value<std::string>()->value_name("FILE"), "a picture instead: .svg, .pdf or .png, and its .gp")

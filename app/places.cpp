@@ -106,6 +106,8 @@ double number_of(const std::string& text, const std::string& where) {
     return *number;
 }
 
+std::vector<double> line_of(const std::string& text, const std::string& where) { return line(text, 1, where, 2); }
+
 std::vector<double> Places::coordinate(int axis) const {
     std::vector<double> values(count());
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -28,6 +28,9 @@ Places places_from(const po::variables_map& options, int dim, const std::string&
 /// Whether any of them is given.
 bool asks_for_places(const po::variables_map& options);
 
+/// FROM:TO:N as N numbers, both ends included. Throws InputError.
+std::vector<double> line_of(const std::string& text, const std::string& where);
+
 /// `text` as a finite number; `where` opens the message of an InputError.
 double number_of(const std::string& text, const std::string& where);
 

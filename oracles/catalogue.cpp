@@ -2,6 +2,7 @@
 #include "core/named.hpp"
 #include "oracles/bar_vibration.hpp"
 #include "oracles/free_flight.hpp"
+#include "oracles/scalar_root_convergence.hpp"
 
 namespace ordo::oracles {
 
@@ -9,6 +10,7 @@ const std::vector<Oracle>& all_oracles() {
     static const std::vector<Oracle> list{
         bar_vibration(),
         free_flight(),
+        scalar_root_convergence(),
     };
     return list;
 }

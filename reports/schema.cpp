@@ -1,5 +1,7 @@
 #include "reports/schema.hpp"
 
+#include <algorithm>
+
 #include "solvers/solver.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/reader/json_input.hpp"
@@ -87,7 +89,11 @@ Json sweep_schema() {
 
 Json measure_schema() {
     std::vector<std::string> fields;
-    for (const auto& field : standard_fields()) fields.push_back(field.name);
+    for (const auto& solver : solvers::all_solvers()) {
+        for (const auto& name : solver.fields) {
+            if (std::ranges::find(fields, name) == fields.end()) fields.push_back(name);
+        }
+    }
     return object({{"at", above_zero},
                    {"until", words({"exact", "accumulated", "steps"})},
                    {"fields", one_or_list(words(fields))},

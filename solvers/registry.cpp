@@ -1,5 +1,6 @@
 // THE list of solvers: one include and one line each.
 #include "solvers/mpm/mpm.hpp"
+#include "solvers/root_finding/root_finding.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::solvers {
@@ -7,6 +8,7 @@ namespace ordo::solvers {
 const std::vector<Solver>& all_solvers() {
     static const std::vector<Solver> list{
         mpm::solver(),
+        root_finding::solver(),
     };
     return list;
 }

@@ -5,7 +5,9 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "solvers/materials/law.hpp"
@@ -33,10 +35,28 @@ struct SolidScene {
     std::optional<VectorField<dim>> body_force;    ///< per unit mass [m/s^2]
 };
 
-/// Every kind of problem there is. A solver accepts some kinds and says so.
-using Scene = std::variant<SolidScene<1>, SolidScene<2>, SolidScene<3>>;
+/// An equation f(x) = 0 in one unknown, and where an iteration begins.
+struct ScalarEquation {
+    std::function<double(double x)> f;
+    std::function<double(double x)> slope;  ///< df/dx
+    double start = 0;
+    double second_start = 0;  ///< for methods that need two points
+};
 
-/// Space dimension of a scene.
-inline int dimension(const Scene& scene) { return static_cast<int>(scene.index()) + 1; }
+/// Every kind of problem there is. A solver accepts some kinds and says so.
+using Scene = std::variant<SolidScene<1>, SolidScene<2>, SolidScene<3>, ScalarEquation>;
+
+inline bool is_solid(const Scene& scene) { return !std::holds_alternative<ScalarEquation>(scene); }
+
+/// f(solid), with f a function template over the dimension. Throws std::logic_error for a scene of another kind.
+template <class F>
+auto on_solid(const Scene& scene, F&& f) {
+    using Result = decltype(f(std::declval<const SolidScene<1>&>()));
+    const auto call = [&](const auto& kind) -> Result {
+        if constexpr (requires { f(kind); }) return f(kind);
+        else throw std::logic_error("the scene is no solid body");
+    };
+    return std::visit(call, scene);
+}
 
 }  // namespace ordo::solvers

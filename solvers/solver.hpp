@@ -54,7 +54,8 @@ public:
     virtual std::vector<Figure> drift() const = 0;  ///< relative defects of the conserved quantities so far
 };
 
-/// What a start will do, known before it runs: mesh width [m], largest time step [s] and number of points.
+/// What a start will do, known before it runs: mesh width [m], or whatever else Solver::width says that it refines;
+/// largest time step [s]; number of points.
 struct Plan {
     double h = 0;
     double dt = 0;
@@ -74,10 +75,12 @@ struct Claim {
 struct Solver {
     std::string name;
     std::string about;
-    std::vector<std::string> source;    ///< keys of docs/references.bib
-    std::vector<Parameter> options;     ///< how it discretises
-    std::vector<Parameter> resolution;  ///< how finely: the axes that a sweep may use
-    std::vector<std::string> fields;    ///< names of standard fields that its snapshots can hold
+    std::vector<std::string> source;         ///< keys of docs/references.bib
+    std::vector<Parameter> options;          ///< how it discretises
+    std::vector<Parameter> resolution;       ///< how finely: the axes that a sweep may use
+    std::string width_axis = "cells";        ///< the axis of its resolution that refines Plan::h
+    std::string width = "mesh width h [m]";  ///< what h is, in the words of a plot's axis
+    std::vector<std::string> fields;         ///< names of the fields that its snapshots can hold
     std::function<Claim(const Values& options)> claim;
     std::function<bool(const Scene&)> accepts;  ///< whether it can solve problems of this kind
     /// Throws InputError on a scene or on values that do not go together; cheap.

@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "reports/plot/ticks.hpp"
+#include "solvers/solver.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -55,8 +56,9 @@ std::string triangle_label(const Triangle& triangle) {
                        shortest(middle), at_right ? "left" : "right", at_right ? "0.7" : "-0.7");
 }
 
-std::string abscissa_words(const std::string& abscissa) {
-    return abscissa == "h" ? "mesh width h [m]" : "time step dt [s]";
+std::string abscissa_words(const studies::Study& study, const std::string& abscissa) {
+    if (abscissa != "h") return "time step dt [s]";
+    return study.solvers.empty() ? "h" : solvers::solver_named(study.solvers.front().name, "").width;
 }
 
 bool stands_hollow(const CurvePoint& point) { return point.drawn && !point.used; }
@@ -91,7 +93,7 @@ std::string settings(const studies::Result& result, const View& view, const Layo
     text += "set title " + quoted(clipped(result.study.name, 80)) + " noenhanced font ',15' offset 0,1\n";
     text += "set label " + quoted(words + " " + time_words(result, view.quantity)) +
             " at graph 0.5,1.045 center noenhanced textcolor '#555555'\n";
-    text += "set xlabel " + quoted(abscissa_words(view.abscissa)) + " noenhanced\n";
+    text += "set xlabel " + quoted(abscissa_words(result.study, view.abscissa)) + " noenhanced\n";
     text += "set ylabel " + quoted(words + unit_words(view.quantity)) + " noenhanced\n";
     text += "set logscale xy\n";
     text += "set xrange [" + shortest(layout.x.low) + ":" + shortest(layout.x.high) + "]\n";

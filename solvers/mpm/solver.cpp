@@ -133,23 +133,18 @@ Claim claim(const Values& values) {
 
 Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
     options_from(options);
-    return std::visit(
-        [&]<int dim>(const SolidScene<dim>& solid) {
-            const Resolution fine = resolution_from(solid, resolution);
-            const double cells = ((solid.upper - solid.lower) / fine.h).array().round().prod();
-            return Plan{.h = fine.h, .dt = fine.dt, .points = cells * std::pow(fine.ppc, dim)};
-        },
-        scene);
+    return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) {
+        const Resolution fine = resolution_from(solid, resolution);
+        const double cells = ((solid.upper - solid.lower) / fine.h).array().round().prod();
+        return Plan{.h = fine.h, .dt = fine.dt, .points = cells * std::pow(fine.ppc, dim)};
+    });
 }
 
 std::unique_ptr<Simulation> start(const Scene& scene, const Values& options, const Values& resolution,
                                   std::span<const std::string> fields) {
-    return std::visit(
-        [&]<int dim>(const SolidScene<dim>& solid) -> std::unique_ptr<Simulation> {
-            return std::make_unique<Running<dim>>(solid, options_from(options), resolution_from(solid, resolution),
-                                                  fields);
-        },
-        scene);
+    return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) -> std::unique_ptr<Simulation> {
+        return std::make_unique<Running<dim>>(solid, options_from(options), resolution_from(solid, resolution), fields);
+    });
 }
 
 }  // namespace
@@ -162,7 +157,7 @@ Solver solver() {
             .resolution = resolution_parameters(),
             .fields = {"displacement", "velocity", "stress", "strain"},
             .claim = claim,
-            .accepts = [](const Scene&) { return true; },
+            .accepts = is_solid,
             .plan = plan,
             .start = start};
 }

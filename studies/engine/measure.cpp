@@ -1,5 +1,6 @@
 #include "studies/engine/measure.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "studies/engine/norm.hpp"
@@ -34,6 +35,7 @@ struct ExactValues {
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
                                             const oracles::Exact& exact) {
     std::vector<RunFigure> errors;
+    if (std::ranges::none_of(quantities, [](const Quantity& q) { return q.against == Against::exact; })) return errors;
     const ExactValues truth(exact, shot);
     for (const auto& quantity : quantities) {
         if (quantity.against != Against::exact) continue;

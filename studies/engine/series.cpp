@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "solvers/solver.hpp"
 #include "studies/engine/judge.hpp"
 
 namespace ordo::studies {
@@ -20,12 +21,14 @@ bool swept(const Study& study, const std::string& name) {
 
 std::vector<Refinement> refinements(const Study& study) {
     const std::string step = swept(study, "courant") ? "courant" : "dt";
-    const Refinement space{{"cells"}, "h", "cells"};
+    const std::string width =
+        study.solvers.empty() ? "" : solvers::solver_named(study.solvers.front().name, "").width_axis;
+    const Refinement space{{width}, "h", width};
     const Refinement time{{step}, "dt", step};
     switch (study.sweep.path) {
         case Path::space: return {space};
         case Path::time: return {time};
-        case Path::joint: return {{{"cells", "dt"}, "h", "cells"}};
+        case Path::joint: return {{{width, "dt"}, "h", width}};
         case Path::grid: break;
     }
     return {space, time};

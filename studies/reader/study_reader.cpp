@@ -124,6 +124,10 @@ Measure measure_from(const Node& node, const Study& study) {
         measure.until = static_cast<Until>(node.at("until").one_of({"exact", "accumulated", "steps"}));
     if (!(measure.at > 0) || !std::isfinite(measure.at))
         node.at("at").refuse("is " + shortest(measure.at) + ", but must be > 0");
+    const Range times = scene_named(study.scene.name, "").truth(study.scene.values).times;
+    if (measure.until != Until::steps && !times.contains(measure.at)) {
+        node.at("at").refuse("is " + shortest(measure.at) + ", but the exact solution holds for t " + times.text());
+    }
     if (measure.until == Until::steps && measure.at != std::floor(measure.at)) {
         node.at("at").refuse("is " + shortest(measure.at) + ", but must be a whole number of steps");
     }

@@ -81,6 +81,25 @@ TEST_CASE("cli: points that cannot be are refused with their line", "[cli]") {
     CHECK_THAT(folder.ordo({"oracle", "bar_vibration", "--t", "-1", "--x", "1"}).err, ContainsSubstring(">= 0"));
 }
 
+TEST_CASE("cli: a history at one place", "[cli]") {
+    const Folder folder;
+    const auto outcome = folder.ordo({"oracle", "free_flight", "--t", "0:2:3", "--x", "0.5"});
+    CHECK(outcome.code == 0);
+    std::istringstream rows(outcome.out);
+    std::string row;
+    std::getline(rows, row);
+    CHECK(row.starts_with("t,x,displacement,velocity"));
+    for (const char* begin : {"0.0", "1.0", "2.0"}) {
+        std::getline(rows, row);
+        CHECK(row.starts_with(begin));
+    }
+    CHECK_THAT(row, ContainsSubstring(",5.0000000000000000e-01,0.0000000000000000e+00,-1.0000000000000000e+00,"));
+    CHECK(folder.ordo({"oracle", "free_flight", "--t", "0:2:3", "--x", "0.5,0.6"}).code == 2);
+    CHECK(folder.ordo({"oracle", "free_flight", "--t", "-1:2:3", "--x", "0.5"}).code == 2);
+    CHECK(folder.ordo({"oracle", "free_flight", "--t", "0:2:3", "--x", "0.5", "--plot", "h.svg"}).code == 0);
+    CHECK_THAT(folder.read("h.svg"), ContainsSubstring("t [s]") && ContainsSubstring("x = 0.5 m"));
+}
+
 TEST_CASE("cli: a picture of the fields along a line, and its script", "[cli]") {
     const Folder folder;
     const auto outcome = plane(folder, {"--grid", "0,0:1,1:5", "--plot", "out/flight.svg"});

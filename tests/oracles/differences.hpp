@@ -14,7 +14,8 @@ struct Defect {
 
     bool holds() const { return allowed < 1e-7 && found <= allowed; }
     void add(double difference, double tolerance, double scale) {
-        if (!(std::abs(difference) / scale <= found)) found = std::abs(difference) / scale;  // keeps NaN
+        if (std::isnan(found)) return;  // once NaN, it stays
+        if (!(std::abs(difference) / scale <= found)) found = std::abs(difference) / scale;
         allowed = std::max(allowed, tolerance / scale);
     }
 };

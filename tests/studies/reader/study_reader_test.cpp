@@ -80,7 +80,7 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/scene/mode", "1.5", "a whole number in [1, 1000]"},
         {"/scene/name", "\"bar_vibratoin\"", "there is no scene 'bar_vibratoin' (nearest: 'bar_vibration')"},
         {"/scene", "3", "/scene: must be an object"},
-        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm)"},
+        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm, root_finding)"},
         {"/solvers/0/stress_update", "\"mulsl\"", "(nearest: 'musl')"},
         {"/solvers/0/stress_update", "[]", "/solvers/0/stress_update: is an empty list"},
         {"/solvers/0/half_kick", "1", "must be true or false"},
