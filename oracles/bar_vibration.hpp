@@ -10,6 +10,7 @@ namespace ordo::oracles {
 ///   fixed_free:  k = (2n - 1) pi / (2L)             fixed_fixed:  k = n pi / L
 ///
 /// X        position in the undeformed bar, 0 <= X <= L [m]      t   time [s]
+/// means    over a cell [a, b]: the value at its middle times sinc(k (b - a) / 2), for all four fields
 /// accurate 2 ulp times (1 + k X + omega t), relative to the amplitude  (gate: tests/oracles/bar_vibration_test.cpp)
 /// source   [WobbesTielen2015]; exact for any strain where the nominal stress is E (F - 1)
 struct BarVibration {
@@ -28,6 +29,7 @@ struct BarVibration {
     double velocity(double X, double t) const;      ///< [m/s]
     double strain(double X, double t) const;        ///< du/dX [-]
     double stress(double X, double t) const;        ///< E du/dX [Pa], tension positive
+    double cell_factor(double a, double b) const;   ///< mean of any of them over [a, b] by its value at (a + b) / 2 [-]
 };
 
 Oracle bar_vibration();

@@ -1,14 +1,52 @@
 // THE list of exact solutions: one include and one line each.
 #include "core/named.hpp"
+#include "oracles/bar_traction.hpp"
 #include "oracles/bar_vibration.hpp"
+#include "oracles/elastic_constants.hpp"
 #include "oracles/free_flight.hpp"
+#include "oracles/manufactured/axis_aligned_mms.hpp"
+#include "oracles/manufactured/bar_mms.hpp"
+#include "oracles/manufactured/periodic_bar_mms.hpp"
+#include "oracles/manufactured/ring_mms.hpp"
+#include "oracles/manufactured/vortex_mms.hpp"
+#include "oracles/noh.hpp"
+#include "oracles/oedometer.hpp"
+#include "oracles/oedometer_static.hpp"
+#include "oracles/plasticity/j2_rotating_stress.hpp"
+#include "oracles/plasticity/j2_simple_shear.hpp"
+#include "oracles/plasticity/j2_uniaxial_strain.hpp"
+#include "oracles/riemann/riemann_gas.hpp"
+#include "oracles/riemann/riemann_linear_elastic.hpp"
+#include "oracles/riemann/riemann_nonlinear_elastic.hpp"
 #include "oracles/scalar_root_convergence.hpp"
+#include "oracles/sedov/sedov.hpp"
+#include "oracles/sedov/sedov_linear_elastic.hpp"
+#include "oracles/sedov/sedov_nonlinear_elastic.hpp"
 
 namespace ordo::oracles {
 
 const std::vector<Oracle>& all_oracles() {
     static const std::vector<Oracle> list{
         bar_vibration(),
+        bar_traction(),
+        oedometer(),
+        oedometer_static(),
+        bar_mms(),
+        periodic_bar_mms(),
+        axis_aligned_mms(),
+        ring_mms(),
+        vortex_mms(),
+        riemann_gas(),
+        riemann_linear_elastic(),
+        riemann_nonlinear_elastic(),
+        sedov(),
+        sedov_nonlinear_elastic(),
+        sedov_linear_elastic(),
+        noh(),
+        j2_uniaxial_strain(),
+        j2_simple_shear(),
+        j2_rotating_stress(),
+        elastic_constants_oracle(),
         free_flight(),
         scalar_root_convergence(),
     };

@@ -30,7 +30,6 @@ double bracketed_root(Function f, double low, double high) {
         const double b = gsl_root_fsolver_x_upper(solver.get());
         const double root = gsl_root_fsolver_root(solver.get());
         if (std::abs(b - a) <= 2 * std::numeric_limits<double>::epsilon() * std::abs(root)) return root;
-        if (f.value(root, f.context) == 0) return root;
     }
     return nan;
 }

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int panel_height = 230;  // px
-constexpr int heading_height = 60;
+constexpr int heading_height = 70;
 
 PlotFormat format_by_ending(const std::string& picture) {
     const std::string ending = fs::path(picture).extension().string();
@@ -41,13 +41,20 @@ std::string rows(const Profile& profile, const Panel& panel) {
     return text;
 }
 
+/// A component's name within its field: "xy" of "stress_xy".
+std::string short_name(const Panel& panel, const std::string& component) {
+    return component.starts_with(panel.field + "_") ? component.substr(panel.field.size() + 1) : component;
+}
+
+/// The field's name stands above its panel at the left, the legend of its components at the right.
 std::string plot_of(const Panel& panel, std::size_t index, const std::string& abscissa) {
-    std::string text = "set xlabel " + quoted(abscissa) + " noenhanced\n";
-    text += "set ylabel " + quoted(panel.field + " [" + panel.unit + "]") + " noenhanced\n";
+    std::string text = "set xlabel " + quoted(abscissa) + " noenhanced offset 0,0.3\n";
+    text += "set label 3 " + quoted(panel.field + " [" + panel.unit + "]") + " at graph 0,1.07 left noenhanced\n";
     std::vector<std::string> curves;
     for (std::size_t k = 0; k < panel.components.size(); ++k) {
-        const std::string title =
-            panel.components.size() == 1 ? "notitle" : "title " + quoted(panel.components[k]) + " noenhanced";
+        const std::string title = panel.components.size() == 1
+                                      ? "notitle"
+                                      : "title " + quoted(short_name(panel, panel.components[k])) + " noenhanced";
         curves.push_back(fmt::format("$panel{} using 1:{} with lines linewidth 2 linecolor '{}' {}", index, k + 2,
                                      colours[k % colours.size()], title));
     }
@@ -64,13 +71,13 @@ std::string script_of(const Profile& profile, PlotFormat format, const std::stri
     for (std::size_t i = 0; i < profile.panels.size(); ++i)
         text += data_block(fmt::format("panel{}", i), rows(profile, profile.panels[i]));
     text += fmt::format("set multiplot layout {},{} margins screen 0.1,0.97,{:.4f},{:.4f} spacing screen 0.12,{:.4f}\n",
-                        down, across, 55.0 / height, 1 - 70.0 / height, 62.0 / height);
+                        down, across, 50.0 / height, 1 - 85.0 / height, 68.0 / height);
     text += fmt::format("set label 1 {} at screen 0.5,{:.4f} center noenhanced font ',13'\n", quoted(profile.title),
                         1 - 22.0 / height);
     text += fmt::format("set label 2 {} at screen 0.5,{:.4f} center noenhanced textcolor '#555555'\n",
                         quoted(profile.subtitle), 1 - 46.0 / height);
     text += "set grid linetype 1 linecolor '#dddddd' linewidth 0.6\nset offsets 0,0,graph 0.06,graph 0.06\n";
-    text += "set format y '%.3g'\nset key noautotitle samplen 1.5\n";
+    text += "set format y '%.3g'\nset key at graph 1,1.14 right top horizontal samplen 1 width -2\n";
     const auto [low, high] = std::ranges::minmax(profile.places);
     text += fmt::format("set xrange [{}:{}]\n", shortest(low), shortest(high));
     for (std::size_t i = 0; i < profile.panels.size(); ++i) {

@@ -58,7 +58,7 @@ std::string triangle_label(const Triangle& triangle) {
 
 std::string abscissa_words(const studies::Study& study, const std::string& abscissa) {
     if (abscissa != "h") return "time step dt [s]";
-    return study.solvers.empty() ? "h" : solvers::solver_named(study.solvers.front().name, "").width;
+    return study.solvers.empty() ? "mesh width h [m]" : solvers::solver_named(study.solvers.front().name, "").width;
 }
 
 bool stands_hollow(const CurvePoint& point) { return point.drawn && !point.used; }

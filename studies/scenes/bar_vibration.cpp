@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elastic_constants.hpp"
 #include "studies/engine/scene_entry.hpp"
 
 namespace ordo::studies {
@@ -27,7 +28,8 @@ solvers::Scene problem(const Values& values) {
         .lower = Vec<1>(0.0),
         .upper = Vec<1>(L),
         .rho = values.number("rho"),
-        .law = solvers::make_law(values.word("law"), {.lambda = 0, .mu = values.number("E") / 2}),
+        .law = solvers::make_law(values.word("law"),
+                                 {.lambda = 0, .mu = youngs_modulus(values, 100, "scene bar_vibration") / 2}),
         .faces = {{{Face::fixed, free_end ? Face::free : Face::fixed}}},
         .velocity = sine,
         .body_force = {}};

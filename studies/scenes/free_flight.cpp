@@ -2,12 +2,15 @@
 // deform it. It turns on what the bars lack: the body force, the half kick, and the second and third dimension.
 #include "oracles/free_flight.hpp"
 
+#include "core/elastic_constants.hpp"
 #include "studies/engine/scene_entry.hpp"
 
 namespace ordo::studies {
 namespace {
 
 using solvers::Vec;
+
+constexpr ElasticConstants unit_solid{.E = 1, .nu = 0, .K = 1.0 / 3, .G = 0.5, .lambda = 0, .M = 1};
 
 template <int dim>
 solvers::Scene box(const Values& values) {
@@ -18,11 +21,12 @@ solvers::Scene box(const Values& values) {
             std::fill(out.begin(), out.end(), vector);
         };
     };
+    const auto solid = elastic_constants(values, unit_solid, "scene free_flight");
     return solvers::SolidScene<dim>{
         .lower = Vec<dim>::Zero(),
         .upper = Vec<dim>::Constant(values.number("L")),
         .rho = values.number("rho"),
-        .law = solvers::make_law(values.word("law"), {.lambda = 0, .mu = values.number("E") / 2}),
+        .law = solvers::make_law(values.word("law"), {.lambda = solid.lambda, .mu = solid.G}),
         .faces = {},
         .velocity = everywhere(start),
         .body_force = everywhere(pull)};
@@ -35,7 +39,8 @@ solvers::Scene problem(const Values& values) {
 
 std::vector<Parameter> parameters() {
     auto declared = oracles::free_flight().parameters;
-    declared.push_back(number("E", "Pa", 1, positive, "Young's modulus; Poisson's ratio is zero"));
+    const auto elastic = elastic_parameters("E 1, nu 0");
+    declared.insert(declared.end(), elastic.begin(), elastic.end());
     declared.push_back(number("rho", "kg/m^dim", 1, positive, "density"));
     declared.push_back(solvers::law_parameter("E ln F"));
     return declared;

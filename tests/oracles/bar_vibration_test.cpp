@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/oracles/bar_vibration_gate.hpp"
+#include "tests/oracles/fuzz.hpp"
 
 using namespace ordo;
 using namespace ordo::oracles;
 using namespace ordo::oracles::gate;
+using namespace ordo::oracles::gate::vibration;
 
 namespace {
 
@@ -29,6 +32,23 @@ std::vector<BarVibration> bars() {
 std::string names_of(const BarVibration& bar) {
     return (bar.ends == BarVibration::Ends::fixed_free ? "fixed_free, mode " : "fixed_fixed, mode ") +
            std::to_string(bar.mode) + ", L = " + std::to_string(bar.L);
+}
+
+Exact bound(const BarVibration& bar) {
+    const Oracle oracle = bar_vibration();
+    const std::string ends = bar.ends == BarVibration::Ends::fixed_free ? "fixed_free" : "fixed_fixed";
+    const Given given{{"L", bar.L},  {"E", bar.E}, {"rho", bar.rho}, {"v0", bar.v0}, {"mode", double(bar.mode)},
+                      {"ends", ends}};
+    return oracle.bind(resolve(oracle.parameters, given, "", "bar_vibration"));
+}
+
+Means means_of(const BarVibration& bar) {
+    return [exact = bound(bar)](double a, double b, double t) {
+        const std::array edges{a, b};
+        std::array<double, 4> row{};
+        exact.averages(edges, t, row);
+        return row;
+    };
 }
 
 /// Names of the gates that the motion does not pass, joined.
@@ -129,4 +149,79 @@ TEST_CASE("bar_vibration: the gate rings for seeded faults", "[alarm]") {
         broken.displacement = [v_scale](double, double) { return v_scale * std::nan(""); };
         CHECK_THAT(ringing(broken), ContainsSubstring("equation of motion") && ContainsSubstring("period"));
     }
+}
+
+TEST_CASE("bar_vibration: means over cells are integrals of the fields", "[gate]") {
+    for (const auto& bar : bars()) {
+        const Defect defect = cell_averages(motion_of(bar), means_of(bar));
+        INFO(names_of(bar) << ": defect " << defect.found << ", allowed " << defect.allowed);
+        CHECK(defect.holds());
+    }
+}
+
+TEST_CASE("bar_vibration: the gate of means rings for seeded faults", "[alarm]") {
+    for (const auto& bar : {bars()[3], bars()[19]}) {
+        INFO(names_of(bar));
+        const Motion motion = motion_of(bar);
+        const Means good = means_of(bar);
+        REQUIRE(cell_averages(motion, good).holds());
+        const auto holds = [&](const Means& means) { return cell_averages(motion, means).holds(); };
+        const auto row = [&](double X, double t) {
+            return std::array{motion.displacement(X, t), motion.velocity(X, t), motion.stress(X, t),
+                              motion.strain(X, t)};
+        };
+        // The middle's value, the mean of the ends, a cell too wide, one field for another, a difference of ends.
+        CHECK_FALSE(holds([&](double a, double b, double t) { return row((a + b) / 2, t); }));
+        CHECK_FALSE(holds([&](double, double b, double t) { return row(b, t); }));
+        CHECK_FALSE(holds([&](double a, double b, double t) { return good(a, b + 1e-6 * (b - a), t); }));
+        CHECK_FALSE(holds([&](double a, double b, double t) {
+            auto means = good(a, b, t);
+            std::swap(means[2], means[3]);
+            return means;
+        }));
+        CHECK_FALSE(holds([&](double a, double b, double t) {
+            auto means = good(a, b, t);
+            means[3] = (motion.displacement(b, t) - motion.displacement(a, t)) / (b - a);
+            return means;
+        }));
+        CHECK_FALSE(holds([&](double a, double b, double t) {
+            auto means = good(a, b, t);
+            if (b - a < 1e-9 * bar.L) means[0] = std::nan("");
+            return means;
+        }));
+    }
+}
+
+TEST_CASE("bar_vibration: random bars keep their energy at every point of phase", "[property]") {
+    Random random(20260);
+    Tally tally;
+    const int rounds = fuzz_rounds(2000);
+    for (int round = 0; round < rounds; ++round) {
+        const double decades = round % 10 == 0 ? 1e150 : 1e4;
+        BarVibration bar{.L = random.log_uniform(1 / decades, decades),
+                         .E = random.log_uniform(1 / decades, decades),
+                         .rho = random.log_uniform(1 / decades, decades),
+                         .v0 = random.uniform(-3, 3),
+                         .mode = random.coin() ? random.whole(1, 1000) : random.whole(1, 5),
+                         .ends = random.coin() ? BarVibration::Ends::fixed_free : BarVibration::Ends::fixed_fixed};
+        try {
+            const Exact exact = bound(bar);
+            const double t = random.log_uniform(1e-3, 1e6) / bar.frequency();
+            const double X = random.uniform(0, 1) * bar.L;
+            std::array<double, 4> row{};
+            exact.sample({&X, 1}, t, row);
+            for (const double value : row) REQUIRE(std::isfinite(value));
+            // (u omega / sin kX)^2 + (v / sin kX)^2 = v0^2 at any X and t.
+            const double sine = std::sin(bar.wave_number() * X);
+            const double energy = std::hypot(row[0] * bar.frequency(), row[1]);
+            const double most = std::abs(bar.v0);
+            INFO(names_of(bar) << ", X = " << X << ", omega t = " << bar.frequency() * t);
+            REQUIRE(std::abs(energy - most * std::abs(sine)) <= 4e-16 * (8 + bar.wave_number() * X) * most);
+            ++tally.checked;
+        } catch (const InputError&) {
+            REQUIRE(decades > 1e4);  // only where frequency or amplitude is no number
+            ++tally.refused;
+        }
+    }
+    CHECK(tally.mostly_checked());
 }

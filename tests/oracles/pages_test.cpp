@@ -29,14 +29,16 @@ outside::Words words_of(const std::string& line) {
 }  // namespace
 
 TEST_CASE("pages: every exact solution has one, with its picture and the command that draws it", "[architecture]") {
-    const std::string index = text_of(pages / "README.md");
+    const std::string index = text_of(pages / "index.md");
     for (const auto& oracle : oracles::all_oracles()) {
         INFO(oracle.name);
         const std::string page = text_of(pages / (oracle.name + ".md"));
-        CHECK_THAT(page, ContainsSubstring("](" + oracle.name + ".svg)"));
-        CHECK_THAT(page, ContainsSubstring("\n    ordo oracle " + oracle.name + " ") &&
-                             ContainsSubstring("--plot docs/oracles/" + oracle.name + ".svg\n"));
-        CHECK_THAT(text_of(pages / (oracle.name + ".svg")), ContainsSubstring("</svg>"));
+        CHECK_THAT(page, ContainsSubstring("\n    ordo oracle " + oracle.name + " "));
+        if (!oracle.fields.empty()) {  // without fields there is nothing to draw
+            CHECK_THAT(page, ContainsSubstring("](" + oracle.name + ".svg)") &&
+                                 ContainsSubstring("--plot docs/oracles/" + oracle.name + ".svg\n"));
+            CHECK_THAT(text_of(pages / (oracle.name + ".svg")), ContainsSubstring("</svg>"));
+        }
         CHECK_THAT(index, ContainsSubstring("](" + oracle.name + ".md)"));
         CHECK(std::count(page.begin(), page.end(), '\n') <= 80);
     }

@@ -1,0 +1,91 @@
+#include "oracles/manufactured/bar_mms.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "oracles/manufactured/half_turns.hpp"
+#include "oracles/manufactured/neo_hookean.hpp"
+
+namespace ordo::oracles {
+namespace {
+
+constexpr double pi = boost::math::constants::pi<double>();
+constexpr const char* where = "oracle bar_mms";
+
+Exact bind(const Values& values) {
+    const BarMms bar{.L = values.number("L"),
+                     .A = values.number("A"),
+                     .rho = values.number("rho"),
+                     .elastic = elastic_constants(values, BarMms{}.elastic, where)};
+    require_representable(bar.elastic, bar.rho, std::sqrt(bar.elastic.M / bar.rho) / bar.L, where);
+    if (!(pi * std::abs(bar.A) < bar.L))
+        throw InputError(where, "A = " + shortest(bar.A) +
+                                    " m turns the bar inside out (det F <= 0); must be below L/pi = " +
+                                    shortest(bar.L / pi) + " in size");
+    return {.dim = 1,
+            .coordinates = Coordinates::material,
+            .lower = {0},
+            .upper = {bar.L},
+            .times = times_up_to(bar.omega()),
+            .fields = manufactured_fields(),
+            .sample = material_points<1>(bar),
+            .jumps = no_jumps,
+            .constants = [bar](std::optional<double>) { return motion_constants(bar.elastic, bar.c(), bar.omega()); }};
+}
+
+std::vector<Parameter> parameters() {
+    auto list = elastic_parameters("E 1e7, nu 0");
+    list.push_back(number("L", "m", 1, positive, "length"));
+    list.push_back(number("rho", "kg/m", 1000, positive, "density"));
+    list.push_back(number("A", "m", 1e-4, finite, "amplitude of the displacement, below L/pi in size; papers' G"));
+    return list;
+}
+
+}  // namespace
+
+double BarMms::c() const { return std::sqrt(elastic.E / rho); }
+double BarMms::omega() const { return pi * c() / L; }
+
+MaterialPoint<1> BarMms::at(const std::array<double, 1>& X, double t) const {
+    const NeoHookean law(elastic);
+    const double in_space = sin_pi(X[0] / L);
+    const double in_time = std::sin(omega() * t);
+    const double u = A * in_space * in_time;
+    const double H = pi * (A / L) * cos_pi(X[0] / L) * in_time;
+    const double ln_F = std::log1p(H);
+    const double P = law.kirchhoff(H, ln_F) / (1 + H);
+    const double b = (pi / L) * (pi / L) * u * ((wave_excess(elastic) + law.hardening(H, ln_F)) / rho);
+    return {.u = {u},
+            .v = {A * omega() * in_space * std::cos(omega() * t)},
+            .stress = {P},
+            .strain = {H},
+            .b = {b},
+            .F = {1 + H},
+            .P = {P}};
+}
+
+Oracle bar_mms() {
+    return {
+        .name = "bar_mms",
+        .about = "Manufactured motion of a neo-Hookean bar with both ends held, at any amplitude",
+        .source = {"Nguyen2023", "Tran2020"},
+        .explanation =
+            "u = A sin(pi X / L) sin(omega t),  omega = pi c / L,  c = sqrt(E / rho)\n"
+            "F = 1 + (pi A / L) cos(pi X / L) sin(omega t)\n"
+            "stress = nominal_stress = lambda ln F / F + mu (F - 1/F)\n"
+            "body_force = (pi^2 u / (rho L^2)) (lambda (1 - ln F) / F^2 + mu (1 + 1/F^2) - E)\n" +
+            manufactured_law() +
+            "\nA is the amplitude that papers call G; G is the shear modulus here. Elasticity: any two of E, nu, K,\n"
+            "G, lambda, M. Refused: pi |A| >= L, where det F reaches 0; omega t > 1e12, where the phase is lost.\n"
+            "Constants: E nu K G lambda M c omega",
+        .example = "bar_mms --set A=0.05 --t 0.005 --grid 0:1:101",
+        .parameters = parameters(),
+        .fields = manufactured_fields(),
+        .smoothness = "analytic in x and t",
+        .accuracy = "1e-15 (4 + omega t) of each field's amplitude; over 10 (1 - pi |A| / L) where that is below 1",
+        .bind = bind};
+}
+
+}  // namespace ordo::oracles
