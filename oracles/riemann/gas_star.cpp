@@ -19,6 +19,14 @@ GasSide::Behind behind(const GasSide& side, double p) {
     return d >= 0 ? side.behind_shock(d) : side.behind_fan(side.log_ratio(d, p + side.gas.p_inf));
 }
 
+/// One velocity from those of two sides of a contact. What round-off has left of F is shared as a pressure between them
+/// would share it: the larger impedance Z = rho a moves less.
+double shared(double v_L, double Z_L, double v_R, double Z_R) {
+    if (Z_L > Z_R) return v_L + Z_R / (Z_L + Z_R) * (v_R - v_L);
+    if (Z_R > Z_L) return v_R + Z_L / (Z_L + Z_R) * (v_L - v_R);
+    return 0.5 * v_L + 0.5 * v_R;
+}
+
 /// A Riemann problem of two gases that are both there, by pressure instead of by side.
 class Problem {
 public:
@@ -67,7 +75,8 @@ GasStar Problem::solve() const {
 GasStar Problem::joined(double p, const GasSide::Behind& of_low, const GasSide::Behind& of_high) const {
     const bool left_is_low = &low_ == &left_;
     GasStar star{.p = p, .left = left_is_low ? of_low : of_high, .right = left_is_low ? of_high : of_low};
-    star.v = 0.5 * (left_.gas.v + right_.gas.v) + 0.5 * (star.right.f - star.left.f);
+    star.v = shared(left_.gas.v - star.left.f, star.left.rho * star.left.a, right_.gas.v + star.right.f,
+                    star.right.rho * star.right.a);
     return star;
 }
 
@@ -92,7 +101,9 @@ GasStar Problem::two_shocks(const ValueAndSlope& at_high) const {
 /// x above `floor`, below the higher pressure.
 GasStar Problem::shock_and_fan(double floor, const ValueAndSlope& at_floor, const ValueAndSlope& at_high) const {
     const double range = high_.gas.p - floor;
-    const double noise = half_ulp * (std::abs(dv_) + std::abs(at_floor.value - dv_));
+    // Neither wave's f passes its value at its own end of the range, and they differ by dv.
+    const double largest = std::min(std::abs(at_floor.value - dv_), std::abs(at_high.value - dv_)) + std::abs(dv_);
+    const double noise = half_ulp * largest;
     const auto F = [&](double x) { return waves(floor, x); };
     // Down from the higher pressure along the power law of P = p + p_inf that has F's value, slope and curvature there.
     const double P_high = high_.gas.p + p_inf_;
@@ -142,8 +153,7 @@ GasStar Problem::two_fans(const ValueAndSlope& at_low, double F_lowest) const {
             const auto a = of(low_), b = of(high_);
             return ValueAndSlope{(a.f + b.f) + dv_, a.slope + b.slope};
         };
-        const double noise = half_ulp * (std::abs(dv_) + std::abs(at_low.value - dv_));
-        s = newton_root(F, -infinity, 0, s, noise, 1e-11);
+        s = newton_root(F, -infinity, 0, s, half_ulp * std::abs(dv_), 1e-11);
     }
     // Whichever keeps the digits of p*, which may be small beside p or beside p_inf.
     const double p = s > -0.5 ? low_.gas.p + P * std::expm1(s) : P * std::exp(s) - p_inf_;

@@ -6,7 +6,7 @@ namespace ordo::oracles {
 
 /// Pressure and velocity that both gases share at their contact: the root p* of
 ///
-///   F(p*) = f_L(p*) + f_R(p*) + v_R - v_L = 0,        v* = (v_L - f_L + v_R + f_R) / 2
+///   F(p*) = f_L(p*) + f_R(p*) + v_R - v_L = 0,        v* = v_L - f_L = v_R + f_R
 ///
 /// F rises; it is concave in p and convex in ln(p + p_inf), so Newton's steps come from one side. Two fans in one kind
 /// of gas have a closed form, and so has its use as a start elsewhere; the unknown is the distance from the nearest

@@ -3,25 +3,31 @@
 #include <cmath>
 #include <limits>
 
+#include "oracles/riemann/elastic_laws.hpp"
+
 namespace ordo::oracles {
 
-double ElasticBlast::strain_energy(double lambda) const {
-    const double rise = lambda - 1;
-    switch (material) {
-        case Material::A: return E / 6 * rise * rise * (lambda + 2) / lambda;
-        case Material::B: return E / 2 * (rise * (lambda + 1) / 2 - std::log(lambda));
-        case Material::C: return E * (lambda * std::log(lambda) - rise);
+namespace {
+
+/// f of the material's strain energy.
+template <class F>
+double with_law(const ElasticBlast& blast, F&& f) {
+    switch (blast.material) {
+        case ElasticBlast::Material::A: return f(elastic::NeoHookean{blast.E});
+        case ElasticBlast::Material::B: return f(elastic::Reciprocal{blast.E});
+        case ElasticBlast::Material::C: break;
     }
-    return 0;
+    return f(elastic::Logarithmic{blast.E});
+}
+
+}  // namespace
+
+double ElasticBlast::strain_energy(double lambda) const {
+    return with_law(*this, [&](const auto& law) { return law.value(elastic::stretch(lambda)); });
 }
 
 double ElasticBlast::elastic_stress(double lambda) const {
-    switch (material) {
-        case Material::A: return E / 3 * (lambda - 1 / (lambda * lambda));
-        case Material::B: return E / 2 * (lambda - 1 / lambda);
-        case Material::C: return E * std::log(lambda);
-    }
-    return 0;
+    return with_law(*this, [&](const auto& law) { return law.at(elastic::stretch(lambda)).slope; });
 }
 
 double ElasticBlast::elastic_share() const {

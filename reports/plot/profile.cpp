@@ -77,7 +77,7 @@ std::string script_of(const Profile& profile, PlotFormat format, const std::stri
     text += fmt::format("set label 2 {} at screen 0.5,{:.4f} center noenhanced textcolor '#555555'\n",
                         quoted(profile.subtitle), 1 - 46.0 / height);
     text += "set grid linetype 1 linecolor '#dddddd' linewidth 0.6\nset offsets 0,0,graph 0.06,graph 0.06\n";
-    text += "set format y '%.3g'\nset key at graph 1,1.14 right top horizontal samplen 1 width -2\n";
+    text += "set format y '%.3g'\nset key at graph 1,1.14 right top horizontal samplen 0.7\n";
     const auto [low, high] = std::ranges::minmax(profile.places);
     text += fmt::format("set xrange [{}:{}]\n", shortest(low), shortest(high));
     for (std::size_t i = 0; i < profile.panels.size(); ++i) {

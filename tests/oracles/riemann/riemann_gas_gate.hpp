@@ -21,7 +21,8 @@ inline Defect jump_conditions(const GasClaim& claim) {
         const auto a = conserved(before, s), b = conserved(after, s);
         const auto scale = scales(claim, {before, after});
         for (std::size_t k = 0; k < 3; ++k) {
-            if (scale[k] > tiny) defect.add(b.flux[k] - a.flux[k], claim.roundoff(s) * scale[k], scale[k]);
+            if (scale[k] > tiny && scale[k] < 1 / tiny)
+                defect.add(b.flux[k] - a.flux[k], claim.roundoff(s) * scale[k], scale[k]);
         }
     }
     return defect;
@@ -111,7 +112,7 @@ inline Defect cell_balance(const GasClaim& claim) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double brought = (b * at_b.q[k] - at_b.flux[k]) - (a * at_a.q[k] - at_a.flux[k]);
             const double tolerance = (claim.roundoff(a) + claim.roundoff(b)) * scale[k];
-            if (scale[k] > tiny) defect.add((b - a) * means[k] - brought, tolerance, scale[k]);
+            if (scale[k] > tiny && scale[k] < 1 / tiny) defect.add((b - a) * means[k] - brought, tolerance, scale[k]);
         }
     });
     return defect;
