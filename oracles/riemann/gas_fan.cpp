@@ -29,14 +29,14 @@ GasFields fields_of(const Gas& gas, double P) {
 
 GasFields nothing(double p) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {0, none, p, none, 0, -p};
+    return {0, none, p, none, 0, 0 - p};
 }
 
 double GasFan::contraction(double depth) const { return std::max(least, 1 - depth / ((side.n + 1) * side.a)); }
 
 GasFields GasFan::at(double depth) const {
     const double c = contraction(depth);
-    if (c <= 0) return nothing(-side.gas.p_inf);
+    if (c <= 0) return nothing(0 - side.gas.p_inf);
     const double log_c = c > 0.5 ? std::log1p(-depth / ((side.n + 1) * side.a)) : std::log(c);
     const double thinning = std::exp(side.n * log_c);
     Gas gas = side.gas;

@@ -1,7 +1,6 @@
 #include "oracles/riemann/gas_side.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace ordo::oracles {
 

@@ -81,7 +81,7 @@ GasStar Problem::joined(double p, const GasSide::Behind& of_low, const GasSide::
 }
 
 GasStar Problem::parted() const {
-    return {.vacuum = true, .p = -p_inf_, .left = behind(left_, -p_inf_), .right = behind(right_, -p_inf_)};
+    return {.vacuum = true, .p = 0 - p_inf_, .left = behind(left_, -p_inf_), .right = behind(right_, -p_inf_)};
 }
 
 /// x >= 0 above the higher pressure. One shock alone has d = f (g f + sqrt(g^2 f^2 + 4 Z^2)) / 2 with Z = rho a and

@@ -44,9 +44,8 @@ Constants record_of(const GasWave& wave, const RiemannGas& problem, std::optiona
 Constants constants_of(const RiemannGas& problem, std::optional<double> t) {
     const GasStar& star = problem.star();
     const auto waves = problem.waves();
-    Constants constants{{"p_star", star.p}};
-    if (!star.vacuum) constants.push_back({"v_star", star.v});
-    else constants.push_back({"v_star", "vacuum"});
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    Constants constants{{"p_star", star.p}, {"v_star", star.vacuum ? none : star.v}};
     constants.push_back({"rho_star_L", star.left.rho});
     constants.push_back({"rho_star_R", star.right.rho});
     std::vector<Constants> records;
@@ -113,7 +112,7 @@ Oracle riemann_gas() {
             "gamma is that of both gases; gamma_L and gamma_R are their own ones (not together with gamma).\n"
             "Refused: gamma <= 1, rho < 0, p + p_inf < 0, pressure in a vacuum, and what no double can hold.\n"
             "Means over cells are exact in all fields, through shocks and rarefactions; no quadrature.\n"
-            "Constants: p_star, v_star ('vacuum' where one lies between or beside the gases), rho_star_L, rho_star_R\n"
+            "Constants: p_star, v_star (none where a vacuum lies between or beside the gases), rho_star_L, rho_star_R\n"
             "(at the edge of a vacuum 0, but for a free surface), waves: kind shock, rarefaction, contact or vacuum;\n"
             "side; speed, or head and tail of a rarefaction and left and right edge of a vacuum between the gases.\n"
             "With a time their places too: x, or x_head and x_tail. Waves of no strength are left out.",

@@ -141,7 +141,7 @@ TEST_CASE("riemann_gas: constants hold the wave list, and places where a time is
     CHECK(number_of(waves[0], "x_head") == 1 + 2 * number_of(waves[0], "head"));
     CHECK(number_of(waves[2], "x") == 1 + 2 * number_of(waves[2], "speed"));
     const auto vacuum = bound({{"v_L", -20.0}, {"v_R", 20.0}}).constants(std::nullopt);
-    CHECK(std::get<std::string>(named(vacuum, "v_star").value) == "vacuum");
+    CHECK(std::isnan(std::get<double>(named(vacuum, "v_star").value)));
     CHECK(number_of(vacuum, "p_star") == 0);
 }
 
