@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -56,24 +57,36 @@ std::string constant_names(const oracles::Exact& exact) {
     return joined(names);
 }
 
+/// One end of the box; beyond all numbers it says so.
+std::string end_text(double end) { return std::abs(end) > 1e300 ? (end < 0 ? "-inf" : "inf") : shortest(end); }
+
 std::string box_text(const oracles::Exact& exact) {
     std::vector<std::string> edges;
     for (std::size_t axis = 0; axis < exact.lower.size(); ++axis)
-        edges.push_back("[" + shortest(exact.lower[axis]) + ", " + shortest(exact.upper[axis]) + "]");
+        edges.push_back("[" + end_text(exact.lower[axis]) + ", " + end_text(exact.upper[axis]) + "]");
     return joined(edges, " x ");
+}
+
+/// "position in space, in [-inf, inf] m"
+std::string place_text(const oracles::Exact& exact) {
+    if (!exact.abscissa.empty()) return exact.abscissa + ", in " + box_text(exact);
+    const bool material = exact.coordinates == oracles::Coordinates::material;
+    return (material ? "position in the undeformed body, in " : "position in space, in ") + box_text(exact) + " m";
 }
 
 void show_oracle(const oracles::Oracle& oracle) {
     const auto exact = oracle.bind(resolve(oracle.parameters, {}, "", oracle.name));
-    const bool material = exact.coordinates == oracles::Coordinates::material;
-    std::cout << oracle.name << ": " << oracle.about << "\n\n" << oracle.explanation << "\n\nfields:\n";
+    std::cout << oracle.name << ": " << oracle.about << "\n\n"
+              << oracle.explanation << (oracle.fields.empty() ? "\n" : "\n\nfields:\n");
     for (const auto& field : oracle.fields)
         line(field.name, std::array{"scalar", "vector", "tensor"}[static_cast<std::size_t>(field.rank)] +
                              std::string(" [") + field.unit + "]");
     show("parameters", oracle.parameters);
     std::cout << "\nwith the defaults:\n";
-    line("x", (material ? "position in the undeformed body, in " : "position in space, in ") + box_text(exact) + " m");
-    line("t", exact.times.text() + " s");
+    if (!exact.fields.empty()) {
+        line("x", place_text(exact));
+        line("t", exact.times.text() + " s");
+    }
     if (exact.constants) line("constants", constant_names(exact));
     if (exact.averages) line("cells", "exact means over cells");
     std::cout << "\nsmoothness: " << oracle.smoothness << "\naccuracy: " << oracle.accuracy

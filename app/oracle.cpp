@@ -1,6 +1,8 @@
 // ordo oracle: an exact solution, evaluated on its own.
 #include "oracles/oracle.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "app/columns.hpp"
@@ -49,6 +51,8 @@ std::vector<double> sampled(const Exact& exact, const Question& question, const 
     for (std::size_t k = 0; k < question.times.size(); ++k)
         (places.cells ? exact.averages : exact.sample)(places.x, question.times[k],
                                                        std::span(rows).subspan(k * length, length));
+    if (std::any_of(rows.begin(), rows.end(), [](double value) { return std::isinf(value); }))
+        throw InputError(where, "a field is beyond 1.8e308 at these places and times");
     return rows;
 }
 
@@ -93,16 +97,17 @@ Given given_from(const po::variables_map& options) {
     if (!options.contains("set")) return given;
     for (const auto& text : options["set"].as<std::vector<std::string>>()) {
         const auto setting = studies::setting_from(text);
-        given[setting.path] = studies::value_from(setting.value);
+        if (!given.emplace(setting.path, studies::value_from(setting.value)).second)
+            throw InputError("ordo oracle --set", "'" + one_line(setting.path) + "' is set twice");
     }
     return given;
 }
 
 /// --constants: as JSON, without places.
 int show_constants(const Exact& exact, const po::variables_map& options, const std::string& where) {
-    if (asks_for_places(options) || options.contains("plot"))
-        throw InputError("ordo oracle --constants", "stands alone: without --x, --grid, --points, --cells and --plot");
-    if (!exact.constants) throw InputError(where + " --constants", "has none: everything depends on x");
+    if (asks_for_places(options) || options.contains("plot") || !options["format"].defaulted())
+        throw InputError("ordo oracle --constants", "stands alone: without places, --plot and --format");
+    if (!exact.constants) throw InputError(where + " --constants", "has none");
     std::optional<double> t;
     if (options.contains("t")) t = number_of(options["t"].as<std::string>(), "ordo oracle --t");
     if (t) exact.check({}, *t, where);
@@ -118,7 +123,8 @@ int draw_profile(const Exact& exact, const std::string& name, const po::variable
     const std::string place = options.contains("x") ? options["x"].as<std::string>() : "";
     subtitle.push_back(question.is_history() ? "x = " + place + " m"
                                              : "t = " + shortest(question.times.front()) + " s");
-    const std::string along = exact.dim == 1 ? "x [m]" : "distance along the line [m]";
+    std::string along = exact.abscissa;
+    if (along.empty()) along = exact.dim == 1 ? "x [m]" : "distance along the line [m]";
     const reports::Profile profile{name, joined(subtitle), question.is_history() ? "t [s]" : along,
                                    question.is_history() ? question.times : question.places.along(),
                                    panels_of(exact, rows)};
@@ -134,6 +140,9 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     const auto exact =
         oracle.bind(resolve(oracle.parameters, given_from(options), "ordo oracle --set", "oracle " + oracle.name));
     if (options.contains("constants")) return show_constants(exact, options, where);
+    if (exact.fields.empty()) throw InputError(where, "has no fields; ask with --constants");
+    if (options.contains("plot") && !options["format"].defaulted())
+        throw InputError("ordo oracle --plot", "takes its format from the picture's name, not from --format");
     const auto question = question_from(options, exact.dim);
     const auto rows = sampled(exact, question, where);
     if (options.contains("plot")) return draw_profile(exact, oracle.name, options, question, rows);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -51,6 +53,9 @@ std::vector<double> line(const std::string& text, int dim, const std::string& wh
     const double count = number_of(parts[2], where);
     if (count != std::floor(count) || count < fewest || count > most_points)
         throw InputError(where, "N must be a whole number in [" + shortest(fewest) + ", 1e7]");
+    for (std::size_t axis = 0; axis < from.size(); ++axis) {
+        if (!std::isfinite(to[axis] - from[axis])) throw InputError(where, "spans more than a double holds");
+    }
     std::vector<double> x;
     const double last = fewest == 1 ? count : count - 1;  // N cells have N + 1 edges
     for (double k = 0; k < last; ++k) {
@@ -74,7 +79,7 @@ std::vector<double> list(const std::string& text, int dim, const std::string& wh
 /// CSV lines x[,y[,z]]; the first may be a head of names, empty ones are skipped.
 std::vector<double> file(const std::string& path, int dim, const std::string& where) {
     std::ifstream stream(path);
-    if (!stream) throw InputError(where, "cannot read '" + one_line(path) + "'");
+    if (!stream || std::filesystem::is_directory(path)) throw InputError(where, "cannot read '" + one_line(path) + "'");
     std::vector<double> x;
     std::size_t number = 0;
     for (std::string row; std::getline(stream, row);) {
@@ -93,6 +98,8 @@ std::vector<double> edges(const std::string& text, int dim, const std::string& w
     if (dim != 1) throw InputError(where, "is for one dimension");
     auto x = line(text, dim, where, 1);
     if (!(x.front() < x.back())) throw InputError(where, "must rise: FROM < TO");
+    if (std::ranges::adjacent_find(x, std::greater_equal<>()) != x.end())
+        throw InputError(where, "has more cells than there are numbers between FROM and TO");
     return x;
 }
 
@@ -102,7 +109,7 @@ double number_of(const std::string& text, const std::string& where) {
     const Value value = studies::value_from(text);
     const double* number = std::get_if<double>(&value);
     if (number == nullptr || !std::isfinite(*number))
-        throw InputError(where, "'" + one_line(text) + "' is not a finite number");
+        throw InputError(where, "'" + one_line(text).substr(0, 60) + "' is not a finite number, such as 0.5 or 2e-3");
     return *number;
 }
 

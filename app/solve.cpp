@@ -38,7 +38,8 @@ std::map<std::string, Given> settings(const po::variables_map& options) {
             throw InputError("ordo solve --set " + text,
                              "must begin with scene., solver. or resolution." + did_you_mean(kind, kinds));
         }
-        given[kind][setting.path.substr(dot + 1)] = studies::value_from(setting.value);
+        if (!given[kind].emplace(setting.path.substr(dot + 1), studies::value_from(setting.value)).second)
+            throw InputError("ordo solve --set", "'" + one_line(setting.path) + "' is set twice");
     }
     return given;
 }

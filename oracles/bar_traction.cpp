@@ -125,7 +125,7 @@ Oracle bar_traction() {
                 {number("L", "m", 1, positive, "length"), number("rho", "kg/m", 100, positive, "density"),
                  number("tau", "Pa", 1, finite, "traction at X = L: amplitude of the sine, height of the step"),
                  number("omega", "1/s", 3.141592653589793, positive,
-                        "angular frequency of the sine, pi c / L by default; the step has none"),
+                        "angular frequency of the sine, by default pi c / L of the default bar; the step has none"),
                  word("profile", "sine", {{"sine", "load tau sin(omega t)"}, {"step", "load tau, suddenly at t = 0"}},
                       "the load in time")},
                 100),

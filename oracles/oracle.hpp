@@ -33,6 +33,7 @@ struct Exact {
 
     int dim = 1;
     Coordinates coordinates = Coordinates::material;
+    std::string abscissa{};     ///< what x is where it is no position: "iteration"
     std::vector<double> lower;  ///< box in which it holds, dim entries [m]
     std::vector<double> upper;
     Range times = at_least(0);  ///< when it holds [s]

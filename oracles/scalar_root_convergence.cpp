@@ -79,6 +79,7 @@ Exact bind(const Values& values) {
     check(problem, errors);
     return {.dim = 1,
             .coordinates = Coordinates::material,
+            .abscissa = "iteration",
             .lower = {0},
             .upper = {values.number("iterations")},
             .fields = sequence_fields,

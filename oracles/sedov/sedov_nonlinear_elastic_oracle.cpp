@@ -113,27 +113,28 @@ const std::string explanation =
 }  // namespace
 
 Oracle sedov_nonlinear_elastic() {
-    return {.name = "sedov_nonlinear_elastic",
-            .about = "Blast from a plane in a nonlinear elastic material with heat, while the shock is strong",
-            .source = {"Sedov1959", "KammTimmes2007", "Walker2017"},
-            .explanation = explanation,
-            .example = "sedov_nonlinear_elastic --t 1 --grid -0.75:0.75:101",
-            .parameters = {number("E", "Pa", 1e-4, positive, "Young's modulus at lambda = 1"),
-                           number("rho0", "kg/m^3", 1, positive, "density at lambda = 1"),
-                           number("c_v", "J/(m^3 K)", 1, positive, "heat capacity per reference volume at lambda = 1"),
-                           number("k", "-", 1, positive, "heat's pressure is k times its energy: gamma = k + 1"),
-                           word("material", "A",
-                                {{"A", "C_s' = (E/3) (lambda - lambda^-2)"},
-                                 {"B", "C_s' = (E/2) (lambda - 1/lambda)"},
-                                 {"C", "C_s' = E ln lambda"}},
-                                "the elastic part of the stress"),
-                           number("energy", "J/m^2", 0.0228957348, positive, "released at t = 0, to one side"),
-                           number("m2_min", "-", 1000, at_least(10),
-                                  "smallest M^2 = rho0 U^2 / E for which values are given")},
-            .fields = solid_fields,
-            .smoothness = "shocks at x = -r_shock and r_shock; analytic between them but for x = 0",
-            .accuracy = "of the limit as oracle sedov; the limit itself is off by a few 1/M^2, relative",
-            .bind = bind};
+    return {
+        .name = "sedov_nonlinear_elastic",
+        .about = "Blast from a plane in a nonlinear elastic material with heat, while the shock is strong",
+        .source = {"Sedov1959", "KammTimmes2007", "Walker2017"},
+        .explanation = explanation,
+        .example = "sedov_nonlinear_elastic --t 1 --grid -0.75:0.75:101",
+        .parameters =
+            {number("E", "Pa", 1e-4, between(1e-100, 1e100), "Young's modulus at lambda = 1"),
+             number("rho0", "kg/m^3", 1, between(1e-100, 1e100), "density at lambda = 1"),
+             number("c_v", "J/(m^3 K)", 1, between(1e-100, 1e100), "heat capacity per reference volume at lambda = 1"),
+             number("k", "-", 1, positive, "heat's pressure is k times its energy: gamma = k + 1"),
+             word("material", "A",
+                  {{"A", "C_s' = (E/3) (lambda - lambda^-2)"},
+                   {"B", "C_s' = (E/2) (lambda - 1/lambda)"},
+                   {"C", "C_s' = E ln lambda"}},
+                  "the elastic part of the stress"),
+             number("energy", "J/m^2", 0.0228957348, between(1e-100, 1e100), "released at t = 0, to one side"),
+             number("m2_min", "-", 1000, at_least(10), "smallest M^2 = rho0 U^2 / E for which values are given")},
+        .fields = solid_fields,
+        .smoothness = "shocks at x = -r_shock and r_shock; analytic between them but for x = 0",
+        .accuracy = "of the limit as oracle sedov; the limit itself is off by a few 1/M^2, relative",
+        .bind = bind};
 }
 
 }  // namespace ordo::oracles

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* legend_above = "set key at graph 1,1.14 right top horizontal maxrows 1 font ',10'\n";
+constexpr const char* inside_legend = "set key at graph 0.99,0.98 right top horizontal maxrows 3 font ',7'\n";
 constexpr int panel_height = 230;  // px
 constexpr int heading_height = 70;
 
@@ -55,9 +57,10 @@ std::string plot_of(const Panel& panel, std::size_t index, const std::string& ab
         const std::string title = panel.components.size() == 1
                                       ? "notitle"
                                       : "title " + quoted(short_name(panel, panel.components[k])) + " noenhanced";
-        curves.push_back(fmt::format("$panel{} using 1:{} with lines linewidth 2 linecolor '{}' {}", index, k + 2,
-                                     colours[k % colours.size()], title));
+        curves.push_back(fmt::format("$panel{} using 1:{} with lines linewidth 2 dashtype {} linecolor '{}' {}", index,
+                                     k + 2, 1 + k / colours.size(), colours[k % colours.size()], title));
     }
+    text += panel.components.size() > 4 ? inside_legend : legend_above;
     return text + "plot " + joined(curves, ", \\\n     ") + "\n";
 }
 
@@ -77,7 +80,7 @@ std::string script_of(const Profile& profile, PlotFormat format, const std::stri
     text += fmt::format("set label 2 {} at screen 0.5,{:.4f} center noenhanced textcolor '#555555'\n",
                         quoted(profile.subtitle), 1 - 46.0 / height);
     text += "set grid linetype 1 linecolor '#dddddd' linewidth 0.6\nset offsets 0,0,graph 0.06,graph 0.06\n";
-    text += "set format y '%.3g'\nset key at graph 1,1.14 right top horizontal samplen 0.7\n";
+    text += "set format y '%.3g'\nset key samplen 0.7\n";
     const auto [low, high] = std::ranges::minmax(profile.places);
     text += fmt::format("set xrange [{}:{}]\n", shortest(low), shortest(high));
     for (std::size_t i = 0; i < profile.panels.size(); ++i) {

@@ -1,3 +1,6 @@
+#include <charconv>
+#include <cmath>
+
 #include "core/error.hpp"
 #include "studies/reader/parts.hpp"
 
@@ -38,6 +41,9 @@ Value value_from(const std::string& text) {
     if (parsed.is_boolean()) return parsed.get<bool>();
     if (parsed.is_number()) return parsed.get<double>();
     if (parsed.is_string()) return parsed.get<std::string>();
+    double number = 0;  // ".5" and "1.", which JSON does not know
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && std::isfinite(number)) return number;
     return text;
 }
 

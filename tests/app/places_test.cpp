@@ -78,7 +78,8 @@ TEST_CASE("cli: points that cannot be are refused with their line", "[cli]") {
     }
     CHECK(folder.names() == before);
     CHECK(folder.ordo({"oracle", "bar_vibration", "--t", "-1", "--x", "1"}).code == 2);
-    CHECK_THAT(folder.ordo({"oracle", "bar_vibration", "--t", "-1", "--x", "1"}).err, ContainsSubstring("must be in [0"));
+    CHECK_THAT(folder.ordo({"oracle", "bar_vibration", "--t", "-1", "--x", "1"}).err,
+               ContainsSubstring("must be in [0"));
 }
 
 TEST_CASE("cli: a history at one place", "[cli]") {
@@ -127,4 +128,31 @@ TEST_CASE("constants: numbers with 17 digits, words, and lists of records; null 
     CHECK(json["waves"][0]["speed"].get<double>() == -0.5);
     CHECK(json["waves"][1]["head"].get<double>() == 1);
     CHECK(studies::parse_json(app::constants_as_json({}), "constants").empty());
+}
+
+TEST_CASE("cli: an exact solution refuses what would be a lie", "[cli]") {
+    const Folder folder;
+    const std::vector<std::pair<Words, std::string>> wrong{
+        {{"noh", "--t", "0.3", "--cells", "0.5:0.5000000000000002:3"}, "more cells than there are numbers"},
+        {{"free_flight", "--t", "1e200", "--x", "0"}, "beyond 1.8e308"},
+        {{"noh", "--set", "gamma=1.4", "--set", "gamma=1.5", "--t", "1", "--x", "0"}, "set twice"},
+        {{"riemann_gas", "--t", "1", "--grid", "-1e308:1e308:3"}, "spans more than"},
+        {{"elastic_constants", "--t", "0", "--x", "0"}, "no fields"},
+        {{"sedov", "--constants", "--format", "csv"}, "stands alone"},
+        {{"noh", "--t", "1", "--grid", "0:1:3", "--format", "json", "--plot", "a.svg"}, "picture's name"},
+        {{"noh", "--t", "1", "--points", "."}, "cannot read"},
+        {{"bar_vibration", "--set", "K=2", "--t", "1", "--x", "0"}, "only K = 2 is given"},
+    };
+    for (const auto& [more, part] : wrong) {
+        Words words{"oracle"};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto outcome = folder.ordo(words);
+        INFO(part << " | " << outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.err_lines() == 1);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, ContainsSubstring(part));
+    }
+    CHECK(folder.names().empty());
+    CHECK(folder.ordo({"oracle", "noh", "--set", "v0=.5", "--t", "1.", "--x", ".2"}).code == 0);
 }
