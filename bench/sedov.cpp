@@ -1,5 +1,5 @@
 // Time of the blast's exact solution: one sampled point (items_per_second), and what it takes to know alpha.
-#include "oracles/sedov/sedov.hpp"
+#include "oracles/blasts/sedov.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,13 @@
 // THE list of exact solutions: one include and one line each.
 #include "core/named.hpp"
-#include "oracles/bar_traction.hpp"
-#include "oracles/bar_vibration.hpp"
+#include "oracles/bars/bar_traction.hpp"
+#include "oracles/bars/bar_vibration.hpp"
+#include "oracles/bars/oedometer.hpp"
+#include "oracles/bars/oedometer_static.hpp"
+#include "oracles/blasts/noh.hpp"
+#include "oracles/blasts/sedov.hpp"
+#include "oracles/blasts/sedov_linear_elastic.hpp"
+#include "oracles/blasts/sedov_nonlinear_elastic.hpp"
 #include "oracles/elastic_constants.hpp"
 #include "oracles/free_flight.hpp"
 #include "oracles/manufactured/axis_aligned_mms.hpp"
@@ -9,9 +15,6 @@
 #include "oracles/manufactured/periodic_bar_mms.hpp"
 #include "oracles/manufactured/ring_mms.hpp"
 #include "oracles/manufactured/vortex_mms.hpp"
-#include "oracles/noh.hpp"
-#include "oracles/oedometer.hpp"
-#include "oracles/oedometer_static.hpp"
 #include "oracles/plasticity/j2_rotating_stress.hpp"
 #include "oracles/plasticity/j2_simple_shear.hpp"
 #include "oracles/plasticity/j2_uniaxial_strain.hpp"
@@ -19,9 +22,6 @@
 #include "oracles/riemann/riemann_linear_elastic.hpp"
 #include "oracles/riemann/riemann_nonlinear_elastic.hpp"
 #include "oracles/scalar_root_convergence.hpp"
-#include "oracles/sedov/sedov.hpp"
-#include "oracles/sedov/sedov_linear_elastic.hpp"
-#include "oracles/sedov/sedov_nonlinear_elastic.hpp"
 
 namespace ordo::oracles {
 

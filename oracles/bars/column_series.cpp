@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "oracles/bars/gravity.hpp"
-#include "oracles/oedometer.hpp"
+#include "oracles/bars/oedometer.hpp"
 
 namespace ordo::oracles {
 namespace {

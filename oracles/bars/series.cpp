@@ -5,7 +5,7 @@
 #include <boost/math/special_functions/sinc.hpp>
 #include <limits>
 
-#include "oracles/bar_traction.hpp"
+#include "oracles/bars/bar_traction.hpp"
 
 namespace ordo::oracles {
 namespace {

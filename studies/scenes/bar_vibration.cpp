@@ -1,7 +1,7 @@
 // Vibrating bar: an elastic bar along x, fixed at one end or at both, starts unstressed with a sine of velocity.
 // The oldest error tables of MPM are about it. Its truth is exact at any strain for the law E(F-1); for the other two
 // the difference is O(strain^2) and independent of the mesh.   [WobbesTielen2015], [MPMtry]
-#include "oracles/bar_vibration.hpp"
+#include "oracles/bars/bar_vibration.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "oracles/bar_vibration.hpp"
+#include "oracles/bars/bar_vibration.hpp"
 #include "tests/app/process.hpp"
 #include "tests/catch.hpp"
 #include "tests/reports/samples.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "oracles/bar_vibration.hpp"
+#include "oracles/bars/bar_vibration.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/mpm/bodies.hpp"
 

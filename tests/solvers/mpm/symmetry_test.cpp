@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "oracles/bar_vibration.hpp"
+#include "oracles/bars/bar_vibration.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/mpm/bodies.hpp"
 
