@@ -85,9 +85,9 @@ std::vector<Column> columns_of(const Exact& exact, const Question& question, con
         if (question.is_history()) values.assign(question.times.size(), values.front());
         columns.push_back({std::string{"xyz"[axis]}, values});
     }
-    for (const auto& panel : panels_of(exact, rows)) {
+    for (auto& panel : panels_of(exact, rows)) {
         for (std::size_t k = 0; k < panel.components.size(); ++k)
-            columns.push_back({panel.components[k], panel.values[k]});
+            columns.push_back({panel.components[k], std::move(panel.values[k])});
     }
     return columns;
 }

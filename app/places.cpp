@@ -40,30 +40,46 @@ std::vector<double> point_from(const std::string& text, char separator, int dim,
     return point;
 }
 
-/// FROM:TO:N as N points, both ends included to the last bit: from + (to - from) may lie outside.
-std::vector<double> line(const std::string& text, int dim, const std::string& where, double fewest) {
+/// FROM:TO:N.
+struct Line {
+    std::vector<double> from, to;
+    double count;
+
+    /// Both ends of so many equal intervals and the points between, to the last bit: from + (to - from) may lie
+    /// outside.
+    std::vector<double> divided(double intervals) const {
+        std::vector<double> x;
+        for (double k = 0; k < intervals; ++k) {
+            for (std::size_t axis = 0; axis < from.size(); ++axis)
+                x.push_back(from[axis] + (to[axis] - from[axis]) * k / intervals);
+        }
+        x.insert(x.end(), to.begin(), to.end());
+        return x;
+    }
+};
+
+Line line_from(const std::string& text, int dim, const std::string& where, double fewest) {
     const auto parts = split(text, ':');
     if (parts.size() != 3) {
         throw InputError(where, dim == 1 ? "must be FROM:TO:N, for instance 0:25:101"
                                          : "must be FROM:TO:N with coordinates separated by ',', for instance "
                                            "0,0:1,1:101");
     }
-    const auto from = point_from(parts[0], ',', dim, where);
-    const auto to = point_from(parts[1], ',', dim, where);
-    const double count = number_of(parts[2], where);
+    const Line line{point_from(parts[0], ',', dim, where), point_from(parts[1], ',', dim, where),
+                    number_of(parts[2], where)};
+    const auto& [from, to, count] = line;
     if (count != std::floor(count) || count < fewest || count > most_points)
         throw InputError(where, "N must be a whole number in [" + shortest(fewest) + ", 1e7]");
     for (std::size_t axis = 0; axis < from.size(); ++axis) {
         if (!std::isfinite(to[axis] - from[axis])) throw InputError(where, "spans more than a double holds");
     }
-    std::vector<double> x;
-    const double last = fewest == 1 ? count : count - 1;  // N cells have N + 1 edges
-    for (double k = 0; k < last; ++k) {
-        for (std::size_t axis = 0; axis < from.size(); ++axis)
-            x.push_back(from[axis] + (to[axis] - from[axis]) * k / last);
-    }
-    x.insert(x.end(), to.begin(), to.end());
-    return x;
+    return line;
+}
+
+/// N points, both ends included.
+std::vector<double> points_on_line(const std::string& text, int dim, const std::string& where) {
+    const Line line = line_from(text, dim, where, 2);
+    return line.divided(line.count - 1);
 }
 
 /// --x X1,X2,... in one dimension, --x X1:Y1,X2:Y2,... in two.
@@ -94,9 +110,11 @@ std::vector<double> file(const std::string& path, int dim, const std::string& wh
     return x;
 }
 
+/// N + 1 rising edges of N cells.
 std::vector<double> edges(const std::string& text, int dim, const std::string& where) {
     if (dim != 1) throw InputError(where, "is for one dimension");
-    auto x = line(text, dim, where, 1);
+    const Line line = line_from(text, dim, where, 1);
+    const auto x = line.divided(line.count);
     if (!(x.front() < x.back())) throw InputError(where, "must rise: FROM < TO");
     if (std::ranges::adjacent_find(x, std::greater_equal<>()) != x.end())
         throw InputError(where, "has more cells than there are numbers between FROM and TO");
@@ -113,7 +131,9 @@ double number_of(const std::string& text, const std::string& where) {
     return *number;
 }
 
-std::vector<double> line_of(const std::string& text, const std::string& where) { return line(text, 1, where, 2); }
+std::vector<double> line_of(const std::string& text, const std::string& where) {
+    return points_on_line(text, 1, where);
+}
 
 std::vector<double> Places::coordinate(int axis) const {
     std::vector<double> values(count());
@@ -157,7 +177,7 @@ Places places_from(const po::variables_map& options, int dim, const std::string&
         throw InputError(command, "takes exactly one of --x, --grid, --points and --cells");
     const auto text = [&](const std::string& kind) { return options[kind].as<std::string>(); };
     if (options.contains("x")) return {dim, list(text("x"), dim, command + " --x")};
-    if (options.contains("grid")) return {dim, line(text("grid"), dim, command + " --grid", 2)};
+    if (options.contains("grid")) return {dim, points_on_line(text("grid"), dim, command + " --grid")};
     if (options.contains("points")) return {dim, file(text("points"), dim, command + " --points")};
     return {dim, edges(text("cells"), dim, command + " --cells"), true};
 }

@@ -6,7 +6,7 @@ add_custom_target(ordo_build_facts
   COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${build_facts}
           -DVERSION=${PROJECT_VERSION} "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
           "-DFLAGS=${build_flags}" "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
-          "-DEIGEN=${Eigen3_VERSION}" "-DBOOST=${Boost_VERSION}" "-DJSON=${nlohmann_json_VERSION}" "-DFMT=${fmt_VERSION}"
+          "-DEIGEN=${Eigen3_VERSION}" "-DBOOST=${Boost_VERSION}" "-DGSL=${GSL_VERSION}" "-DJSON=${nlohmann_json_VERSION}" "-DFMT=${fmt_VERSION}"
           -P ${PROJECT_SOURCE_DIR}/cmake/write_build_facts.cmake
   BYPRODUCTS ${build_facts})
 add_dependencies(ordo_reports ordo_build_facts)

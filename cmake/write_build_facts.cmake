@@ -14,6 +14,7 @@ inline constexpr const char* flags = \"${FLAGS}\";
 inline constexpr const char* build_type = \"${BUILD_TYPE}\";
 inline constexpr const char* eigen = \"${EIGEN}\";
 inline constexpr const char* boost = \"${BOOST}\";
+inline constexpr const char* gsl = \"${GSL}\";
 inline constexpr const char* json = \"${JSON}\";
 inline constexpr const char* fmt = \"${FMT}\";
 }

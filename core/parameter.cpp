@@ -98,6 +98,11 @@ Parameter toggle(std::string name, bool fallback, std::string help) {
     return {std::move(name), "-", Parameter::Kind::toggle, fallback, false, {}, {}, std::move(help)};
 }
 
+std::vector<Parameter> appended(std::vector<Parameter> declared, const std::vector<Parameter>& more) {
+    declared.insert(declared.end(), more.begin(), more.end());
+    return declared;
+}
+
 Parameter required(Parameter parameter) {
     parameter.fallback.reset();
     parameter.required = true;

@@ -58,6 +58,9 @@ Parameter toggle(std::string name, bool fallback, std::string help);
 Parameter required(Parameter parameter);         ///< the same without a default: it must be given
 Parameter without_default(Parameter parameter);  ///< the same without a default: it may stay absent
 
+/// `declared`, and behind it `more`.
+std::vector<Parameter> appended(std::vector<Parameter> declared, const std::vector<Parameter>& more);
+
 /// What a user gave, by name.
 using Given = std::map<std::string, Value>;
 

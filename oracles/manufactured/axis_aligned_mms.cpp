@@ -51,17 +51,15 @@ Exact bind(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    std::vector<Parameter> list{whole("dim", 2, between(2, 3), "space dimension")};
-    for (auto& elastic : elastic_parameters("E 1e7, nu 0.3")) list.push_back(std::move(elastic));
-    list.push_back(number("L", "m", 1, positive, "edge of the square or cube"));
-    list.push_back(number("rho", "kg/m^dim", 1000, positive, "density"));
-    list.push_back(number("A", "m", 0.05, finite, "amplitude of the displacement, below L/(k pi) in size"));
-    list.push_back(whole("k", 1, between(1, 1000), "half waves along an edge"));
-    list.push_back(number("phase_x", "rad", 0, between(-1000, 1000), "phase of the motion along x"));
-    list.push_back(number("phase_y", "rad", pi, between(-1000, 1000), "phase of the motion along y"));
-    list.push_back(number("phase_z", "rad", pi, between(-1000, 1000), "phase of the motion along z, in 3D"));
-    list.push_back(without_default(number("c", "m/s", 0, positive, "speed of the motion; absent: sqrt(E / rho)")));
-    return list;
+    return appended(appended({whole("dim", 2, between(2, 3), "space dimension")}, elastic_parameters("E 1e7, nu 0.3")),
+                    {number("L", "m", 1, positive, "edge of the square or cube"),
+                     number("rho", "kg/m^dim", 1000, positive, "density"),
+                     number("A", "m", 0.05, finite, "amplitude of the displacement, below L/(k pi) in size"),
+                     whole("k", 1, between(1, 1000), "half waves along an edge"),
+                     number("phase_x", "rad", 0, between(-1000, 1000), "phase of the motion along x"),
+                     number("phase_y", "rad", pi, between(-1000, 1000), "phase of the motion along y"),
+                     number("phase_z", "rad", pi, between(-1000, 1000), "phase of the motion along z, in 3D"),
+                     without_default(number("c", "m/s", 0, positive, "speed of the motion; absent: sqrt(E / rho)"))});
 }
 
 /// (k^2 M - rho c^2) / rho, what is left of inertia and stiffness where nothing is strained [m^2/s^2].

@@ -36,11 +36,9 @@ Exact bind(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto list = elastic_parameters("E 1e7, nu 0");
-    list.push_back(number("L", "m", 1, positive, "length"));
-    list.push_back(number("rho", "kg/m", 1000, positive, "density"));
-    list.push_back(number("A", "m", 1e-4, finite, "amplitude of the displacement, below L/pi in size; papers' G"));
-    return list;
+    return appended(elastic_parameters("E 1e7, nu 0"),
+                    {number("L", "m", 1, positive, "length"), number("rho", "kg/m", 1000, positive, "density"),
+                     number("A", "m", 1e-4, finite, "amplitude of the displacement, below L/pi in size; papers' G")});
 }
 
 }  // namespace

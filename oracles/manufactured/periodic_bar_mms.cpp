@@ -42,11 +42,10 @@ Exact bind(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto list = elastic_parameters("E 1e6; E alone will do");
-    list.push_back(number("L", "m", 1, positive, "length and period"));
-    list.push_back(number("rho", "kg/m", 1, positive, "density"));
-    list.push_back(number("A", "m", 0.001, finite, "amplitude of the displacement, below L/(2 pi) in size"));
-    return list;
+    return with_youngs_modulus(
+        {number("L", "m", 1, positive, "length and period"), number("rho", "kg/m", 1, positive, "density"),
+         number("A", "m", 0.001, finite, "amplitude of the displacement, below L/(2 pi) in size")},
+        1e6);
 }
 
 }  // namespace

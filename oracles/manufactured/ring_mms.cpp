@@ -56,12 +56,11 @@ Exact bind(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto list = elastic_parameters("E 1e7, nu 0");
-    list.push_back(number("r_i", "m", 0.4, positive, "inner radius"));
-    list.push_back(number("r_o", "m", 0.6, positive, "outer radius; 3 r_i is not possible"));
-    list.push_back(number("rho", "kg/m^2", 1000, positive, "density"));
-    list.push_back(number("A", "m", 0.1, finite, "amplitude of the outer rim's displacement"));
-    return list;
+    return appended(elastic_parameters("E 1e7, nu 0"),
+                    {number("r_i", "m", 0.4, positive, "inner radius"),
+                     number("r_o", "m", 0.6, positive, "outer radius; 3 r_i is not possible"),
+                     number("rho", "kg/m^2", 1000, positive, "density"),
+                     number("A", "m", 0.1, finite, "amplitude of the outer rim's displacement")});
 }
 
 /// along e_R e_R + across (I - e_R e_R), e = e_R.

@@ -50,13 +50,12 @@ Exact bind(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto list = elastic_parameters("E 1000, nu 0.3");
-    list.push_back(number("r_i", "m", 0.75, positive, "inner radius"));
-    list.push_back(number("r_o", "m", 1.25, positive, "outer radius"));
-    list.push_back(number("rho", "kg/m^2", 1000, positive, "density"));
-    list.push_back(number("A", "rad", 1, between(-1000, 1000), "amplitude of the turn half-way between the rims"));
-    list.push_back(without_default(number("omega", "1/s", 0, positive, "absent: 2 pi c / (r_i + r_o)")));
-    return list;
+    return appended(
+        elastic_parameters("E 1000, nu 0.3"),
+        {number("r_i", "m", 0.75, positive, "inner radius"), number("r_o", "m", 1.25, positive, "outer radius"),
+         number("rho", "kg/m^2", 1000, positive, "density"),
+         number("A", "rad", 1, between(-1000, 1000), "amplitude of the turn half-way between the rims"),
+         without_default(number("omega", "1/s", 0, positive, "absent: 2 pi c / (r_i + r_o)"))});
 }
 
 /// a b^T, row by row.

@@ -84,13 +84,13 @@ J2RotatingStress::Tensor J2RotatingStress::strain(double t) const {
 }
 
 Oracle j2_rotating_stress() {
-    auto parameters = elastic_parameters("E 2e11, nu 0.3");
-    const std::vector own{number("Y0", "Pa", 4e8, between(1e-100, 1e100), "yield stress in tension, constant"),
-                          number("spin", "rad/s", 1, finite, "angular velocity of the principal axes about e3"),
-                          number("plastic_rate", "1/s", 0.01, at_least(0), "d (equivalent plastic strain) / dt"),
-                          number("share", "-", 0, between(-1, 1), "s3 / (2 Y0 / 3); 0 is pure shear in the plane"),
-                          number("pressure", "Pa", 0, between(-1e100, 1e100), "mean stress, compression positive")};
-    parameters.insert(parameters.end(), own.begin(), own.end());
+    const auto parameters =
+        appended(elastic_parameters("E 2e11, nu 0.3"),
+                 {number("Y0", "Pa", 4e8, between(1e-100, 1e100), "yield stress in tension, constant"),
+                  number("spin", "rad/s", 1, finite, "angular velocity of the principal axes about e3"),
+                  number("plastic_rate", "1/s", 0.01, at_least(0), "d (equivalent plastic strain) / dt"),
+                  number("share", "-", 0, between(-1, 1), "s3 / (2 Y0 / 3); 0 is pure shear in the plane"),
+                  number("pressure", "Pa", 0, between(-1e100, 1e100), "mean stress, compression positive")});
     return {
         .name = "j2_rotating_stress",
         .about = "Perfect von Mises plasticity with resting principal stresses and spinning principal axes",

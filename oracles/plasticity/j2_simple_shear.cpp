@@ -3,7 +3,6 @@
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
 
 #include "core/elastic_constants.hpp"
 #include "oracles/plasticity/uniform.hpp"
@@ -33,21 +32,12 @@ Exact bind(const Values& values) {
                                            "oracle j2_simple_shear");
     const J2SimpleShear solid{
         .G = elastic.G, .Y0 = values.number("Y0"), .H = values.number("H"), .path = strain_path(values)};
-    constexpr double anywhere = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::material,
-            .lower = {-anywhere},
-            .upper = {anywhere},
-            .times = between(0, solid.path.last_time()),
-            .fields = fields,
-            .sample = uniform([solid](double t) {
-                const auto s = solid.at(t);
-                return std::array{
-                    s.strain,       s.stress,        s.plastic_strain, s.yield_stress, s.equivalent_stress,
-                    s.plastic_work, s.elastic_energy};
-            }),
-            .jumps = no_jumps,
-            .constants = [solid](std::optional<double>) { return constants_of(solid); }};
+    const auto row = [solid](double t) {
+        const auto s = solid.at(t);
+        return std::array{s.strain,       s.stress,        s.plastic_strain, s.yield_stress, s.equivalent_stress,
+                          s.plastic_work, s.elastic_energy};
+    };
+    return on_strain_path(solid.path, fields, row, constants_of(solid));
 }
 
 }  // namespace
@@ -68,8 +58,6 @@ double J2SimpleShear::yield_strain() const { return Y0 / (root_three * G); }
 double J2SimpleShear::plastic_slope() const { return G * H / (3 * G + H); }
 
 Oracle j2_simple_shear() {
-    auto parameters = elastic_parameters("E 2e11, nu 0.3");
-    for (auto& parameter : strain_path_parameters()) parameters.push_back(std::move(parameter));
     return {
         .name = "j2_simple_shear",
         .about = "Von Mises plasticity in simple shear: hardening, unloading, any number of reversals",
@@ -86,7 +74,7 @@ Oracle j2_simple_shear() {
             strain_path_text() +
             "\nNothing depends on x. constants: G, yield_strain, elastic_slope, plastic_slope (d stress / d strain)",
         .example = "j2_simple_shear --set path=cycle --set H=1e9 --t 0.025 --x 0",
-        .parameters = parameters,
+        .parameters = j2_parameters(),
         .fields = fields,
         .smoothness = "constant in x; piecewise linear in t, kinks at reversals and at yield",
         .accuracy = "8 ulp of Y0 + G s in stress and of s in strain, with s = |rate| t",

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/elastic_constants.hpp"
 #include "oracles/plasticity/uniform.hpp"
@@ -32,21 +31,13 @@ Exact bind(const Values& values) {
                                  .Y0 = values.number("Y0"),
                                  .H = values.number("H"),
                                  .path = strain_path(values)};
-    constexpr double anywhere = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::material,
-            .lower = {-anywhere},
-            .upper = {anywhere},
-            .times = between(0, solid.path.last_time()),
-            .fields = fields,
-            .sample = uniform([solid](double t) {
-                const auto s = solid.at(t);
-                return std::array{s.strain,         s.stress,        s.lateral_stress,
-                                  s.plastic_strain, s.yield_stress,  s.equivalent_stress,
-                                  s.plastic_work,   s.elastic_energy};
-            }),
-            .jumps = no_jumps,
-            .constants = [solid](std::optional<double>) { return constants_of(solid); }};
+    const auto row = [solid](double t) {
+        const auto s = solid.at(t);
+        return std::array{s.strain,         s.stress,        s.lateral_stress,
+                          s.plastic_strain, s.yield_stress,  s.equivalent_stress,
+                          s.plastic_work,   s.elastic_energy};
+    };
+    return on_strain_path(solid.path, fields, row, constants_of(solid));
 }
 
 }  // namespace
@@ -70,8 +61,6 @@ double J2UniaxialStrain::elastic_slope() const { return K + 4 * G / 3; }
 double J2UniaxialStrain::plastic_slope() const { return K + 4 * G * H / (9 * G + 3 * H); }
 
 Oracle j2_uniaxial_strain() {
-    auto parameters = elastic_parameters("E 2e11, nu 0.3");
-    for (auto& parameter : strain_path_parameters()) parameters.push_back(std::move(parameter));
     return {
         .name = "j2_uniaxial_strain",
         .about = "Von Mises plasticity under uniaxial strain: hardening, unloading, any number of reversals",
@@ -88,7 +77,7 @@ Oracle j2_uniaxial_strain() {
             strain_path_text() +
             "\nNothing depends on x. constants: K, G, yield_strain, elastic_slope, plastic_slope (d stress / d strain)",
         .example = "j2_uniaxial_strain --set path=cycle --set H=1e9 --t 0.025 --x 0",
-        .parameters = parameters,
+        .parameters = j2_parameters(),
         .fields = fields,
         .smoothness = "constant in x; piecewise linear in t, kinks at reversals and at yield",
         .accuracy = "8 ulp of Y0 + M s in stress and of s in strain, with M = K + 4 G / 3 and s = |rate| t",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elastic_constants.hpp"
+
 namespace ordo::oracles {
 namespace {
 
@@ -68,15 +70,16 @@ std::string strain_path_text() {
            "place.";
 }
 
-std::vector<Parameter> strain_path_parameters() {
-    return {
-        number("Y0", "Pa", 4e8, between(1e-100, 1e100), "initial yield stress in tension"),
-        number("H", "Pa", 0, between(0, 1e100), "isotropic hardening: d yield stress / d plastic strain; 0 is perfect"),
-        number("rate", "1/s", 1, finite, "d strain / dt up to the first reversal, of either sign"),
-        number("peak", "-", 0.01, positive, "strain at which path=cycle reverses"),
-        word("path", "monotonic",
-             {{"monotonic", "strain = rate t"}, {"cycle", "a triangle wave between peak and -peak"}},
-             "how the strain goes on")};
+std::vector<Parameter> j2_parameters() {
+    return appended(elastic_parameters("E 2e11, nu 0.3"),
+                    {number("Y0", "Pa", 4e8, between(1e-100, 1e100), "initial yield stress in tension"),
+                     number("H", "Pa", 0, between(0, 1e100),
+                            "isotropic hardening: d yield stress / d plastic strain; 0 is perfect"),
+                     number("rate", "1/s", 1, finite, "d strain / dt up to the first reversal, of either sign"),
+                     number("peak", "-", 0.01, positive, "strain at which path=cycle reverses"),
+                     word("path", "monotonic",
+                          {{"monotonic", "strain = rate t"}, {"cycle", "a triangle wave between peak and -peak"}},
+                          "how the strain goes on")});
 }
 
 StrainPath strain_path(const Values& values) {

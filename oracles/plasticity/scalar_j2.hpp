@@ -54,8 +54,8 @@ private:
     double plastic_strain_after(double reversals) const;
 };
 
-/// Y0, H and the path: declared, and read.
-std::vector<Parameter> strain_path_parameters();
+/// Elastic constants, Y0, H and the path, declared; and the path read.
+std::vector<Parameter> j2_parameters();
 StrainPath strain_path(const Values& values);
 
 /// What an explanation says of them.

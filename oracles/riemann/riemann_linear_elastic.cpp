@@ -34,6 +34,14 @@ Exact bind(const Values& values) {
             .constants = [problem](std::optional<double> t) { return problem.constants(t); }};
 }
 
+std::vector<Parameter> parameters() {
+    return appended(elastic::state_parameters(positive),
+                    {number("E", "Pa", 1, positive, "Young's modulus"),
+                     number("rho0", "kg/m^3", 1, positive, "density where lambda = 1"),
+                     number("c_v", "J/(m^3 K)", 1, positive, "heat capacity per reference volume"),
+                     number("x0", "m", 0, finite, "where the states meet at t = 0")});
+}
+
 }  // namespace
 
 RiemannLinearElastic::RiemannLinearElastic(double E, double rho0, double c_v, const State& left, const State& right,
@@ -122,16 +130,7 @@ Oracle riemann_linear_elastic() {
             "constants: sigma_star, v_star, rho_star_L, rho_star_R, T_star_L, T_star_R, waves [{kind acoustic |\n"
             "contact, side, speed}]; with t their places too",
         .example = "riemann_linear_elastic --t 1 --grid -2:2:9",
-        .parameters = {number("lambda_L", "-", 0.5, positive, "stretch on the left"),
-                       number("v_L", "m/s", 0, finite, "velocity on the left"),
-                       number("T_L", "K", 1, at_least(0), "temperature on the left"),
-                       number("lambda_R", "-", 1, positive, "stretch on the right"),
-                       number("v_R", "m/s", 0, finite, "velocity on the right"),
-                       number("T_R", "K", 0.2, at_least(0), "temperature on the right"),
-                       number("E", "Pa", 1, positive, "Young's modulus"),
-                       number("rho0", "kg/m^3", 1, positive, "density where lambda = 1"),
-                       number("c_v", "J/(m^3 K)", 1, positive, "heat capacity per reference volume"),
-                       number("x0", "m", 0, finite, "where the states meet at t = 0")},
+        .parameters = parameters(),
         .fields = elastic::fields(),
         .smoothness = "uniform between its three jumps",
         .accuracy =

@@ -59,10 +59,25 @@ Exact bind(const Values& values) {
     return material == "B" ? exact_of<Reciprocal>(values) : exact_of<Logarithmic>(values);
 }
 
+std::vector<Parameter> parameters() {
+    constexpr Range stretches = between(1e-3, 1e3);
+    return appended(
+        elastic::state_parameters(stretches),
+        {number("E", "Pa", 1, positive, "stiffness where lambda = 1, T = 0"),
+         number("rho0", "kg/m^3", 1, positive, "density where lambda = 1"),
+         number("c_v", "J/(m^3 K)", 1, positive, "heat capacity per reference volume where lambda = 1"),
+         number("k", "-", 1, between(0, 20), "how heat pushes: its pressure over its energy density; 0 not at all"),
+         word("material", "A",
+              {{"A", "neo-Hookean, C_s' = (E/3)(lambda - lambda^-2)"},
+               {"B", "C_s' = (E/2)(lambda - 1/lambda)"},
+               {"C", "logarithmic strain, C_s' = E ln lambda"}},
+              "strain energy"),
+         number("x0", "m", 0, finite, "where the states meet at t = 0")});
+}
+
 }  // namespace
 
 Oracle riemann_nonlinear_elastic() {
-    const Range stretches = between(1e-3, 1e3);
     return {
         .name = "riemann_nonlinear_elastic",
         .about = "Riemann problem of a nonlinear elastic material with heat: shocks, fans and a contact",
@@ -88,23 +103,7 @@ Oracle riemann_nonlinear_elastic() {
             "constants: sigma_star, v_star, rho_star_L, rho_star_R, T_star_L, T_star_R, waves [{kind shock |\n"
             "rarefaction | contact, side, speed or head and tail}]; with t their places too",
         .example = "riemann_nonlinear_elastic --t 1 --grid -4:4:17",
-        .parameters = {number("lambda_L", "-", 0.5, stretches, "stretch on the left"),
-                       number("v_L", "m/s", 0, finite, "velocity on the left"),
-                       number("T_L", "K", 1, at_least(0), "temperature on the left"),
-                       number("lambda_R", "-", 1, stretches, "stretch on the right"),
-                       number("v_R", "m/s", 0, finite, "velocity on the right"),
-                       number("T_R", "K", 0.2, at_least(0), "temperature on the right"),
-                       number("E", "Pa", 1, positive, "stiffness where lambda = 1, T = 0"),
-                       number("rho0", "kg/m^3", 1, positive, "density where lambda = 1"),
-                       number("c_v", "J/(m^3 K)", 1, positive, "heat capacity per reference volume where lambda = 1"),
-                       number("k", "-", 1, between(0, 20),
-                              "how heat pushes: its pressure over its energy density; 0 not at all"),
-                       word("material", "A",
-                            {{"A", "neo-Hookean, C_s' = (E/3)(lambda - lambda^-2)"},
-                             {"B", "C_s' = (E/2)(lambda - 1/lambda)"},
-                             {"C", "logarithmic strain, C_s' = E ln lambda"}},
-                            "strain energy"),
-                       number("x0", "m", 0, finite, "where the states meet at t = 0")},
+        .parameters = parameters(),
         .fields = fields(),
         .smoothness = "jumps at shocks and the contact, kinks at the ends of fans, analytic between",
         .accuracy =

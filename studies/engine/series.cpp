@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "solvers/solver.hpp"
 #include "studies/engine/judge.hpp"
 
 namespace ordo::studies {
@@ -21,8 +20,7 @@ bool swept(const Study& study, const std::string& name) {
 
 std::vector<Refinement> refinements(const Study& study) {
     const std::string step = swept(study, "courant") ? "courant" : "dt";
-    const std::string width =
-        study.solvers.empty() ? "" : solvers::solver_named(study.solvers.front().name, "").width_axis;
+    const std::string width = width_axis(study.solvers);
     const Refinement space{{width}, "h", width};
     const Refinement time{{step}, "dt", step};
     switch (study.sweep.path) {

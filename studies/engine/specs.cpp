@@ -14,7 +14,8 @@ constexpr double most_steps = 1e9;
 using Point = std::vector<RunFigure>;
 
 /// Axes that are stepped through together count as one.
-std::vector<Point> points_of(const Sweep& sweep) {
+std::vector<Point> points_of(const Study& study) {
+    const Sweep& sweep = study.sweep;
     std::vector<Point> points{{}};
     bool dt_zipped = false;
     for (const auto& axis : sweep.axes) dt_zipped = dt_zipped || (sweep.path == Path::joint && axis.name == "dt");
@@ -25,7 +26,7 @@ std::vector<Point> points_of(const Sweep& sweep) {
             for (std::size_t k = 0; k < axis.values.size(); ++k) {
                 longer.push_back(point);
                 longer.back().push_back({axis.name, axis.values[k]});
-                if (!dt_zipped || axis.name != "cells") continue;
+                if (!dt_zipped || axis.name != width_axis(study.solvers)) continue;
                 for (const auto& other : sweep.axes) {
                     if (other.name == "dt") longer.back().push_back({"dt", other.values[k]});
                 }
@@ -80,7 +81,7 @@ double end_time(const Measure& measure, double dt) {
 
 std::vector<RunSpec> specs_of(const Study& study) {
     const auto problem = scene_named(study.scene.name, "").problem(study.scene.values);
-    const auto points = points_of(study.sweep);
+    const auto points = points_of(study);
     std::vector<RunSpec> specs;
     for (const auto& choice : study.solvers) {
         for (const auto& point : points) {

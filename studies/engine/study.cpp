@@ -1,6 +1,7 @@
 #include "studies/engine/study.hpp"
 
 #include "core/text.hpp"
+#include "solvers/solver.hpp"
 
 namespace ordo::studies {
 
@@ -49,6 +50,10 @@ std::string text_of(const std::vector<Condition>& where) {
     for (const auto& condition : where)
         parts.push_back(condition.axis + " " + condition.op + " " + shortest(condition.value));
     return joined(parts);
+}
+
+std::string width_axis(const std::vector<SolverChoice>& solvers) {
+    return solvers.empty() ? "" : solvers::solver_named(solvers.front().name, "").width_axis;
 }
 
 }  // namespace ordo::studies

@@ -118,6 +118,9 @@ struct Study {
     std::string document;  ///< the whole question as JSON, published values included: reads back as this study
 };
 
+/// The axis that refines h for these solvers: "cells" for a mesh. "" without solvers.
+std::string width_axis(const std::vector<SolverChoice>& solvers);
+
 using ordo::text_of;
 std::string text_of(Norm norm);
 std::string text_of(const std::vector<Condition>& where);

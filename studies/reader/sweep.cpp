@@ -31,8 +31,8 @@ const Axis* find_axis(const Sweep& sweep, const std::string& name) {
 }
 
 /// A path says which error it shows, so the axes must leave the other one alone.
-void check_path(const Node& node, const Sweep& sweep) {
-    const Axis* cells = find_axis(sweep, "cells");
+void check_path(const Node& node, const Sweep& sweep, const std::string& width_name) {
+    const Axis* width = find_axis(sweep, width_name);
     const Axis* dt = find_axis(sweep, "dt");
     const bool courant = find_axis(sweep, "courant") != nullptr;
     if (sweep.path == Path::space && courant) {
@@ -41,12 +41,12 @@ void check_path(const Node& node, const Sweep& sweep) {
     if (sweep.path == Path::time && dt == nullptr && !courant)
         node.refuse("path 'time' needs the axis 'dt' or 'courant'");
     const auto several = [](const Axis* axis) { return axis != nullptr && axis->values.size() > 1; };
-    if (sweep.path == Path::grid && (!several(cells) || !several(dt))) {
-        node.refuse("path 'grid' needs several values of 'cells' and of 'dt'");
+    if (sweep.path == Path::grid && (!several(width) || !several(dt))) {
+        node.refuse("path 'grid' needs several values of '" + width_name + "' and of 'dt'");
     }
     if (sweep.path != Path::joint || courant) return;
-    if (cells == nullptr || dt == nullptr || cells->values.size() != dt->values.size()) {
-        node.refuse("path 'joint' needs 'courant', or as many values of 'dt' as of 'cells'");
+    if (width == nullptr || dt == nullptr || width->values.size() != dt->values.size()) {
+        node.refuse("path 'joint' needs 'courant', or as many values of 'dt' as of '" + width_name + "'");
     }
 }
 
@@ -70,7 +70,7 @@ Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices) {
             for (const auto& item : member.items()) check_value(*parameter, item.number(), item.where());
         }
     }
-    check_path(node, sweep);
+    check_path(node, sweep, width_axis(choices));
     return sweep;
 }
 

@@ -36,9 +36,7 @@ solvers::Scene problem(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto declared = oracles::bar_vibration().parameters;
-    declared.push_back(solvers::law_parameter("E(F-1)"));
-    return declared;
+    return appended(oracles::bar_vibration().parameters, {solvers::law_parameter("E(F-1)")});
 }
 
 oracles::Exact truth(const Values& values) {

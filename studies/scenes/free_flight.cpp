@@ -38,12 +38,8 @@ solvers::Scene problem(const Values& values) {
 }
 
 std::vector<Parameter> parameters() {
-    auto declared = oracles::free_flight().parameters;
-    const auto elastic = elastic_parameters("E 1, nu 0");
-    declared.insert(declared.end(), elastic.begin(), elastic.end());
-    declared.push_back(number("rho", "kg/m^dim", 1, positive, "density"));
-    declared.push_back(solvers::law_parameter("E ln F"));
-    return declared;
+    const auto solid = appended(oracles::free_flight().parameters, elastic_parameters("E 1, nu 0"));
+    return appended(solid, {number("rho", "kg/m^dim", 1, positive, "density"), solvers::law_parameter("E ln F")});
 }
 
 const bool enrolled = enrol({.name = "free_flight",
