@@ -87,16 +87,17 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     std::signal(SIGTERM, ask_to_stop);
     const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
     if (!out.empty()) reports::check_writable(out);
-    const auto simulation = solver.start(problem, values, resolution, solver.fields);
+    std::string text;
     try {
+        const auto simulation = solver.start(problem, values, resolution, solver.fields);
         simulation->advance_to(t, [] { return stop_asked.load(std::memory_order_relaxed); });
+        text = columns_as(format, columns_of(simulation->snapshot()), "ordo solve");
     } catch (const solvers::Interrupted&) {
         throw studies::StudyInterrupted{};
     } catch (const solvers::Diverged& error) {
         std::cerr << "ordo: the run diverged: " << error.what() << '\n';
         return gate_failed;
     }
-    const auto text = columns_as(format, columns_of(simulation->snapshot()), "ordo solve");
     if (out.empty()) std::cout << text;
     else reports::write_whole(out, text);
     return all_hold;

@@ -50,6 +50,7 @@ Json named(const std::string& name, const std::string& about, const std::vector<
         properties[parameter.name] = lists ? one_or_list(schema_of(parameter)) : schema_of(parameter);
         if (parameter.required) required.push_back(parameter.name);
     }
+    if (lists) properties["label"] = text;
     return {{"type", "object"},
             {"description", about},
             {"properties", properties},
@@ -99,6 +100,7 @@ Json measure_schema() {
                    {"fields", one_or_list(words(fields))},
                    {"norms", one_or_list(words({"rms", "l1", "l2", "linf"}))},
                    {"over", words({"final", "maximum"})},
+                   {"volume", words({"current", "undeformed"})},
                    {"against", one_or_list(words({"exact", "finest"}))}},
                   {"at", "fields"});
 }

@@ -66,7 +66,8 @@ std::vector<const studies::SeriesFit*> fits_along(const studies::Result& result,
 }
 
 std::string error_words(const studies::Quantity& quantity) {
-    const std::string norm = (quantity.maximum ? "largest " : "") + norm_words(quantity.norm);
+    const std::string norm = (quantity.maximum ? "largest " : "") + norm_words(quantity.norm) +
+                             (quantity.undeformed ? " (undeformed volumes)" : "");
     if (quantity.against == studies::Against::exact) return norm + " error of " + quantity.field;
     return norm + " difference of " + quantity.field + " from the finest run";
 }

@@ -1,4 +1,5 @@
 // THE list of solvers: one include and one line each.
+#include "solvers/fem/fem.hpp"
 #include "solvers/mpm/mpm.hpp"
 #include "solvers/root_finding/root_finding.hpp"
 #include "solvers/solver.hpp"
@@ -8,6 +9,7 @@ namespace ordo::solvers {
 const std::vector<Solver>& all_solvers() {
     static const std::vector<Solver> list{
         mpm::solver(),
+        fem::solver(),
         root_finding::solver(),
     };
     return list;

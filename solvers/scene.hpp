@@ -22,17 +22,32 @@ enum class Face { free, fixed, roller };
 template <int dim>
 using VectorField = std::function<void(std::span<const Vec<dim>> X, double t, std::span<Vec<dim>> out)>;
 
-/// An elastic body that fills the box [lower, upper] at t = 0, stress-free, with its law, faces and loads.
+/// The same for a tensor field.
+template <int dim>
+using TensorField = std::function<void(std::span<const Vec<dim>> X, double t, std::span<Tensor<dim>> out)>;
+
+/// A body that is not at rest in its undeformed shape at t = 0; the stress follows from F.
+template <int dim>
+struct Deformed {
+    VectorField<dim> displacement;  ///< x - X [m]
+    TensorField<dim> F;             ///< dx/dX [-]
+};
+
+/// A body that fills the box [lower, upper] when undeformed, with its law, faces and loads.
 /// Optional members are capabilities: what a scene lacks costs a solver nothing.
 template <int dim>
 struct SolidScene {
-    Vec<dim> lower = Vec<dim>::Zero();             ///< [m]
-    Vec<dim> upper = Vec<dim>::Ones();             ///< [m]
-    double rho = 1;                                ///< density at t = 0 [kg/m^dim]
-    Law law;                                       ///< constitutive law with its moduli
-    std::array<std::array<Face, 2>, dim> faces{};  ///< faces[axis][0 lower, 1 upper]
-    VectorField<dim> velocity;                     ///< at t = 0 [m/s]
-    std::optional<VectorField<dim>> body_force;    ///< per unit mass [m/s^2]
+    Vec<dim> lower = Vec<dim>::Zero();                   ///< [m]
+    Vec<dim> upper = Vec<dim>::Ones();                   ///< [m]
+    double rho = 1;                                      ///< density of the undeformed body [kg/m^dim]
+    Law law = {};                                        ///< constitutive law with its moduli
+    std::array<std::array<Face, 2>, dim> faces{};        ///< faces[axis][0 lower, 1 upper]
+    VectorField<dim> velocity = {};                      ///< at t = 0 [m/s]
+    std::optional<Deformed<dim>> deformed = {};          ///< at t = 0; absent: undeformed and stress-free
+    std::optional<VectorField<dim>> body_force = {};     ///< per unit mass [m/s^2]
+    std::optional<VectorField<dim>> traction = {};       ///< nominal: force on a unit of undeformed free face [Pa]
+    std::optional<VectorField<dim>> face_velocity = {};  ///< of held faces, in the directions held [m/s]; absent: rest
+    std::optional<double> damping = {};                  ///< alpha of the body force -alpha v per unit mass [1/s]
 };
 
 /// An equation f(x) = 0 in one unknown, and where an iteration begins.

@@ -17,10 +17,11 @@ namespace ordo::solvers {
 struct Snapshot {
     double t = 0;  ///< [s]
     int dim = 1;
-    std::vector<double> X;        ///< where each point was in the undeformed body, n x dim [m]
-    std::vector<double> x;        ///< where it is now, n x dim [m]
-    std::vector<double> weights;  ///< volume that each point stands for now, n [m^dim]
-    std::vector<Field> fields;    ///< the fields that were asked for
+    std::vector<double> X;                        ///< where each point was in the undeformed body, n x dim [m]
+    std::vector<double> x;                        ///< where it is now, n x dim [m]
+    std::vector<double> weights;                  ///< volume that each point stands for now, n [m^dim]
+    std::vector<double> weights_undeformed = {};  ///< and in the undeformed body; empty where no body deforms
+    std::vector<Field> fields;                    ///< the fields that were asked for
 
     std::size_t points() const { return weights.size(); }
     const Field& field(const std::string& name) const;  ///< throws std::logic_error when it was not asked for
@@ -93,6 +94,25 @@ struct Solver {
 
 /// Number of equal steps not longer than dt that end at `duration`; a quotient within 1e-9 of a whole number is whole.
 long steps_to(double duration, double dt);
+
+/// step(t, dt) from `now` to exactly `end` in equal steps not longer than `longest`; `now` follows. Throws Interrupted.
+template <class Step>
+void in_equal_steps(double& now, double end, double longest, const Interrupt& interrupt, Step&& step) {
+    const double start = now;
+    const long count = steps_to(end - start, longest);
+    const double dt = (end - start) / static_cast<double>(count);
+    for (long k = 0; k < count; ++k) {
+        if (interrupt()) throw Interrupted("interrupted");
+        step(now, dt);
+        now = k + 1 == count ? end : start + static_cast<double>(k + 1) * dt;
+    }
+}
+
+/// The declared choice of a time step: dt, or courant = dt * wave speed / h.
+std::vector<Parameter> step_parameters();
+
+/// The step that was chosen [s]. Throws InputError unless exactly one of dt and courant is given.
+double step_from(const Values& values, double h, double wave_speed, const std::string& solver);
 
 /// All solvers, one line each in registry.cpp, in the order listed there.
 const std::vector<Solver>& all_solvers();

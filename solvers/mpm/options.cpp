@@ -1,89 +1,191 @@
+// From declared values to options, and what does not go together.
 #include "solvers/mpm/options.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "solvers/solver.hpp"
 
 namespace ordo::solvers::mpm {
+namespace {
 
-std::vector<Parameter> option_parameters() {
-    return {
-        word("basis", "linear", {{"linear", "tent functions [Sulsky1994]"}}, "grid shape functions"),
-        word("mass", "lumped", {{"lumped", "diagonal mass m_i = sum S_ip m_p [Sulsky1994]"}}, "grid mass matrix"),
-        word("stress_update", "musl",
-             {{"usf", "update stress first, from the mapped velocity [Bardenhagen2002]"},
-              {"usl", "update stress last, from the accelerated velocity [Sulsky1994]"},
-              {"musl", "modified USL: last, from velocities mapped again off the particles [Sulsky1995]"}},
-             "when the stress follows the velocity"),
-        word("strain_increment", "undeformed_mesh",
-             {{"undeformed_mesh", "gradient of the displacement increment on the mesh before it moves"},
-              {"moved_mesh", "the same on the moved mesh [WobbesTielen2015]"}},
-             "which mesh the strain increment is taken from"),
-        word("volume", "updated",
-             {{"updated", "V_p *= 1 + tr d eps in every step"}, {"fixed", "V_p stays as at the start"}},
-             "particle volume in the internal force"),
-        word("placement", "cell_centred",
-             {{"cell_centred", "local (2k-1)/(2 ppc): centres of equal sub-cells"},
-              {"even_interior", "local k/(ppc+1) [WobbesTielen2015]"},
-              {"gauss", "Gauss points with Gauss weights"}},
-             "where the particles of a cell start"),
-        word("position_update", "remapped",
-             {{"remapped", "x_p follows the re-mapped velocity [WobbesTielen2015]"},
-              {"accelerated", "x_p follows the accelerated velocity [Nguyen2023]"}},
-             "which nodal velocity moves MUSL particles; USF and USL know the accelerated one only"),
-        toggle("half_kick", false,
-               "begin with half a velocity step: leapfrog, second order in time for any a(0) with musl and remapped; "
-               "not with usf"),
-        word("beyond_grid", "extend",
-             {{"extend", "the grid goes on beyond free faces by `margin`"},
-              {"extrapolate", "no further node: the last cell's functions go on outside it [WobbesTielen2015]"}},
-             "what a particle meets outside the body's first box"),
-        number("margin", "-", 0.1, between(0, 10),
-               "grid beyond each free face, in units of the body's edge; at least one cell"),
-    };
+/// The enumerator at the place that the word has in its declaration.
+template <class Enum>
+Enum choice(const Values& values, const std::string& name) {
+    static const auto declared = option_parameters();
+    for (const auto& parameter : declared) {
+        if (parameter.name != name) continue;
+        for (std::size_t k = 0; k < parameter.words.size(); ++k) {
+            if (parameter.words[k].name == values.word(name)) return static_cast<Enum>(k);
+        }
+    }
+    throw std::logic_error("no option named '" + name + "' has such a word");
 }
 
-std::vector<Parameter> resolution_parameters() {
-    return {
-        required(whole("cells", 1, between(1, 1e7), "cells along the first axis of the body")),
-        whole("ppc", 1, between(1, 64), "particles a cell and direction"),
-        without_default(number("dt", "s", 0, positive, "time step; give dt or courant")),
-        without_default(number("courant", "-", 0, positive, "dt sqrt(stiffness/rho)/h; give dt or courant")),
-    };
+void refuse_if(bool wrong, const std::string& why) {
+    if (wrong) throw InputError("", why);
+}
+
+bool made_of_tents_at_points(Basis basis) { return basis == Basis::linear || basis == Basis::ddmp; }
+
+void check_time(const Options& o) {
+    const bool early = o.stress_update == StressUpdate::usf || o.stress_update == StressUpdate::usavg;
+    refuse_if(o.leaps() && early,
+              "'time' is \"leapfrog\", but with stress_update 'usf' or 'usavg' the half kick makes no "
+              "leapfrog (nearest: 'usl' or 'musl')");
+    refuse_if(o.composed() && !o.separable(),
+              "'time' is a composition, which needs stress_update 'musl' with position_update 'remapped'");
+    refuse_if(o.composed() && o.transfer != Transfer::flip && o.transfer != Transfer::blend,
+              "'time' is a composition, which needs transfer 'flip' or 'blend'");
+}
+
+void check_transfer(const Options& o) {
+    const bool musl = o.stress_update == StressUpdate::musl;
+    const bool by_functions = o.transfer == Transfer::apic || o.transfer == Transfer::mls;
+    refuse_if(
+        by_functions && made_of_tents_at_points(o.basis),
+        "'transfer' divides by the spread of the functions, which tents lose on a node (nearest: 'tpic', the same "
+        "elsewhere)");
+    refuse_if(
+        o.affine() && musl && !o.moved_by_remapped,
+        "'transfer' is affine about the particles' places, which position_update 'accelerated' leaves before they "
+        "are mapped again (nearest: 'remapped')");
+    refuse_if(
+        o.basis == Basis::cpdi2 && (o.transfer == Transfer::xpic || o.transfer == Transfer::fmpm),
+        "'basis' is \"cpdi2\", whose corners follow the grid and not these transfers' particles (nearest: 'cpdi')");
+    refuse_if(o.affine() && o.mass != Mass::lumped,
+              "'transfer' is affine, which needs mass 'lumped': a consistent mass counts the affine part twice");
+    refuse_if(
+        o.transfer == Transfer::xpic && (o.mass != Mass::lumped || musl),
+        "'transfer' is \"xpic\", which needs mass 'lumped' and a stress_update other than 'musl' (nearest: 'usl')");
+    refuse_if(o.transfer == Transfer::fmpm && (o.mass == Mass::lumped || musl),
+              "'transfer' is \"fmpm\", which needs mass 'fmpm' or 'consistent' and a stress_update other than 'musl' "
+              "(nearest: 'usl')");
+}
+
+void check_frame(const Options& o) {
+    const bool total = o.frame == Frame::total;
+    refuse_if(
+        total && o.strain_mesh == StrainMesh::moved,
+        "'strain_increment' is \"moved_mesh\", but in the total frame no mesh moves (nearest: 'undeformed_mesh')");
+    refuse_if(total && o.beyond_grid != BeyondGrid::extend,
+              "'beyond_grid' is for the updated frame: in the total frame nothing leaves the grid");
+    refuse_if(o.beyond_grid == BeyondGrid::extrapolate && (o.boxes() || o.basis == Basis::ddmp),
+              "'beyond_grid' is \"extrapolate\", which needs a basis 'linear' or of splines");
+    refuse_if(o.last_particle_loaded && o.beyond_grid == BeyondGrid::follow,
+              "'traction' is \"last_particle\", but a grid that follows the body needs its faces (nearest: 'face')");
+    refuse_if(
+        o.cells_span_grid && (o.placement != Placement::body_centred || o.beyond_grid != BeyondGrid::extend || total),
+        "'cells_span' is \"grid\", which needs placement 'body_centred', beyond_grid 'extend' and frame 'updated'");
+    refuse_if(o.volume_of_cell && o.placement != Placement::body_centred,
+              "'particle_volume' is \"share_of_cell\", which differs with placement 'body_centred' only");
+}
+
+void check_reconstruction(const Options& o) {
+    if (o.reconstruction == Reconstruction::none)
+        return refuse_if(o.conservative, "'conservative' puts a reconstruction right, and there is none");
+    refuse_if(o.frame == Frame::total,
+              "'reconstruction' is for the updated frame: in the total frame the particles never "
+              "leave their quadrature points (nearest: 'none')");
+    const bool plain = o.transfer == Transfer::flip || o.transfer == Transfer::blend || o.transfer == Transfer::pic;
+    refuse_if(!plain || o.mass == Mass::fmpm,
+              "'reconstruction' needs transfer 'flip', 'pic' or 'blend' and mass 'lumped' or 'consistent'");
+    refuse_if(o.beyond_grid == BeyondGrid::extrapolate || o.last_particle_loaded,
+              "'reconstruction' needs the body's faces: beyond_grid 'extend' or 'follow', and traction 'face'");
+    const bool fits_impm = o.basis == Basis::linear && o.mass == Mass::lumped && o.stress_update == StressUpdate::usl;
+    refuse_if(o.reconstruction == Reconstruction::impm && !fits_impm,
+              "'reconstruction' is \"impm\", which needs basis 'linear', mass 'lumped' and stress_update 'usl'");
+    refuse_if(o.boxes() || o.basis == Basis::ddmp, "'reconstruction' needs a basis 'linear' or of splines");
+}
+
+bool knows_rates(const Law& law) {
+    return std::holds_alternative<LogarithmicLaw>(law) || std::holds_alternative<ReciprocalLaw>(law) ||
+           std::holds_alternative<NominalLaw>(law);
+}
+
+}  // namespace
+
+int Options::spline_degree() const {
+    return basis == Basis::quadratic ? 2 : basis == Basis::cubic ? 3 : basis == Basis::quartic ? 4 : 1;
 }
 
 Options options_from(const Values& values) {
-    Options options;
-    const auto& order = values.word("stress_update");
-    options.stress_update = order == "usf"   ? StressUpdate::usf
-                            : order == "usl" ? StressUpdate::usl
-                                             : StressUpdate::musl;
-    const auto& placement = values.word("placement");
-    options.placement = placement == "gauss"           ? Placement::gauss
-                        : placement == "even_interior" ? Placement::even_interior
-                                                       : Placement::cell_centred;
-    options.strain_from_moved_mesh = values.word("strain_increment") == "moved_mesh";
-    options.volume_updated = values.word("volume") == "updated";
-    options.moved_by_remapped =
-        options.stress_update == StressUpdate::musl && values.word("position_update") == "remapped";
-    options.half_kick = values.toggle("half_kick");
-    if (options.half_kick && options.stress_update == StressUpdate::usf) {
-        throw InputError(
-            "", "'half_kick' is true, but with stress_update 'usf' it makes no leapfrog (nearest: 'usl' or 'musl')");
-    }
-    options.extrapolate = values.word("beyond_grid") == "extrapolate";
-    options.margin = values.number("margin");
-    return options;
+    Options o;
+    o.frame = choice<Frame>(values, "frame");
+    o.basis = choice<Basis>(values, "basis");
+    o.mass = choice<Mass>(values, "mass");
+    o.stress_update = choice<StressUpdate>(values, "stress_update");
+    o.time = choice<Time>(values, "time");
+    o.transfer = choice<Transfer>(values, "transfer");
+    o.placement = choice<Placement>(values, "placement");
+    o.beyond_grid = choice<BeyondGrid>(values, "beyond_grid");
+    o.reconstruction = choice<Reconstruction>(values, "reconstruction");
+    o.body_force = choice<BodyForce>(values, "body_force");
+    o.terms = values.whole("k");
+    o.degree = values.whole("degree");
+    o.flip_share = values.number("flip_share");
+    o.margin = values.number("margin");
+    o.conservative = values.toggle("conservative");
+    o.strain_mesh = choice<StrainMesh>(values, "strain_increment");
+    o.volume_updated = values.word("volume") == "updated";
+    o.stress_from_F = values.word("stress_from") == "F";
+    o.moved_by_remapped = o.stress_update == StressUpdate::musl && values.word("position_update") == "remapped";
+    o.last_particle_loaded = values.word("traction") == "last_particle";
+    o.cells_span_grid = values.word("cells_span") == "grid";
+    o.volume_of_cell = values.word("particle_volume") == "share_of_cell";
+    check_time(o);
+    check_transfer(o);
+    check_frame(o);
+    check_reconstruction(o);
+    return o;
 }
 
 template <int dim>
-Resolution resolution_from(const SolidScene<dim>& scene, const Values& values) {
+void check_fits(const SolidScene<dim>& scene, const Options& o) {
+    const bool history = std::holds_alternative<J2Law>(scene.law);
+    const bool rates = knows_rates(scene.law);
+    refuse_if(dim > 1 && o.reconstruction != Reconstruction::none, "'reconstruction' is for one dimension");
+    bool free_face = false;
+    for (const auto& pair : scene.faces) {
+        for (const Face face : pair) free_face = free_face || face == Face::free;
+    }
+    refuse_if(o.reconstruction != Reconstruction::none && free_face && o.beyond_grid != BeyondGrid::follow,
+              "'reconstruction' would cut cells at the scene's free face, whose load no particle then feels: choose "
+              "beyond_grid 'follow'");
+    refuse_if(dim > 1 && o.beyond_grid == BeyondGrid::follow,
+              "'beyond_grid' is \"follow\", which is for one dimension");
+    refuse_if(dim > 1 && o.stress_from_F && rates,
+              "'stress_from' is \"F\", but the scene's law has an integral in one dimension only");
+    refuse_if(o.stress_from_F && history, "'stress_from' is \"F\", but the scene's law has a history");
+    refuse_if(o.strain_mesh != StrainMesh::undeformed && !history && (!rates || o.stress_from_F),
+              "'strain_increment' chooses a mesh, but the stress is taken from F, not from increments");
+    refuse_if(scene.deformed && (history || (dim > 1 && rates)),
+              "the scene starts deformed, which needs a law in closed form");
+    refuse_if(scene.face_velocity && o.frame == Frame::updated,
+              "the scene moves a held face, which leaves its nodes behind in the updated frame: choose frame 'total'");
+}
+
+template <int dim>
+Resolution resolution_from(const SolidScene<dim>& scene, const Options& options, const Values& values) {
     Resolution resolution;
     resolution.cells = values.whole("cells");
-    resolution.ppc = values.whole("ppc");
+    resolution.ppc = values.number("ppc");
+    refuse_if(options.placement != Placement::body_centred && resolution.ppc != std::floor(resolution.ppc),
+              "'ppc' is " + shortest(resolution.ppc) + ", but must be whole unless placement is 'body_centred'");
+    refuse_if(options.placement == Placement::body_centred && std::round(resolution.ppc * resolution.cells) < 1,
+              "'ppc' is " + shortest(resolution.ppc) + ", which leaves no particle");
     const Vec<dim> edges = scene.upper - scene.lower;
-    resolution.h = edges[0] / resolution.cells;
+    if (options.cells_span_grid) {
+        const double free_ends = (scene.faces[0][0] == Face::free ? 1 : 0) + (scene.faces[0][1] == Face::free ? 1 : 0);
+        refuse_if(dim > 1 || scene.faces[0][0] == Face::free,
+                  "'cells_span' is \"grid\", which is for one dimension with a held lower face");
+        resolution.h = edges[0] * (1 + free_ends * options.margin) / resolution.cells;
+    } else {
+        resolution.h = edges[0] / resolution.cells;
+    }
     for (int axis = 1; axis < dim; ++axis) {
         const double count = edges[axis] / resolution.h;
         if (std::abs(count - std::round(count)) > 1e-9 * count || count < 0.5) {
@@ -91,17 +193,21 @@ Resolution resolution_from(const SolidScene<dim>& scene, const Values& values) {
                                      " cells along axis " + std::to_string(axis) + ", but must give a whole number");
         }
     }
-    if (values.has("dt") == values.has("courant")) {
-        throw InputError("", "solver mpm takes exactly one of 'dt' and 'courant'");
-    }
-    const double stiffness = std::visit([](const auto& law) { return law.stiffness(); }, scene.law);
-    resolution.dt = values.has("dt") ? values.number("dt")
-                                     : values.number("courant") * resolution.h / std::sqrt(stiffness / scene.rho);
+    // Nodes and particles are numbered by int; margins count on both sides.
+    double nodes = 1;
+    for (int axis = 0; axis < dim; ++axis)
+        nodes *= edges[axis] / resolution.h * std::max(1 + 2 * options.margin, resolution.ppc) + 8;
+    refuse_if(nodes > std::numeric_limits<int>::max(), "'cells' is " + std::to_string(resolution.cells) +
+                                                           ", which makes more nodes or particles than can be counted");
+    resolution.dt = step_from(values, resolution.h, std::sqrt(stiffness(scene.law) / scene.rho), "mpm");
     return resolution;
 }
 
-template Resolution resolution_from<1>(const SolidScene<1>&, const Values&);
-template Resolution resolution_from<2>(const SolidScene<2>&, const Values&);
-template Resolution resolution_from<3>(const SolidScene<3>&, const Values&);
+template void check_fits<1>(const SolidScene<1>&, const Options&);
+template void check_fits<2>(const SolidScene<2>&, const Options&);
+template void check_fits<3>(const SolidScene<3>&, const Options&);
+template Resolution resolution_from<1>(const SolidScene<1>&, const Options&, const Values&);
+template Resolution resolution_from<2>(const SolidScene<2>&, const Options&, const Values&);
+template Resolution resolution_from<3>(const SolidScene<3>&, const Options&, const Values&);
 
 }  // namespace ordo::solvers::mpm

@@ -24,56 +24,132 @@ std::vector<Seed> gauss_points(int count) {
 
 }  // namespace
 
+std::vector<Stretch> along_edge(const Options& options, const Resolution& resolution, double edge) {
+    std::vector<Stretch> line;
+    if (options.placement == Placement::body_centred) {
+        const int cells =
+            options.cells_span_grid ? resolution.cells : static_cast<int>(std::lround(edge / resolution.h));
+        const long count = std::lround(resolution.ppc * cells);
+        for (long k = 0; k < count; ++k) {
+            const double n = static_cast<double>(count);
+            line.push_back({(static_cast<double>(k) + 0.5) / n * edge, edge / n});
+        }
+    } else {
+        const long cells = std::lround(edge / resolution.h);
+        const auto cell = seeds(options.placement, static_cast<int>(resolution.ppc));
+        for (long c = 0; c < cells; ++c) {
+            for (const auto& [xi, share] : cell)
+                line.push_back({(static_cast<double>(c) + xi) * resolution.h, share * resolution.h});
+        }
+    }
+    if (options.volume_of_cell) {
+        for (auto& stretch : line) stretch.length = resolution.h / resolution.ppc;
+    }
+    return line;
+}
+
+namespace {
+
+template <int dim>
+void place(Particles<dim>& particles, const SolidScene<dim>& scene, const Options& options,
+           const Resolution& resolution) {
+    std::array<std::vector<Stretch>, dim> line;
+    std::size_t total = 1;
+    for (int axis = 0; axis < dim; ++axis) {
+        line[axis] = along_edge(options, resolution, scene.upper[axis] - scene.lower[axis]);
+        total *= line[axis].size();
+    }
+    for (std::size_t p = 0; p < total; ++p) {
+        Vec<dim> X;
+        Vec<dim> half;
+        std::size_t rest = p;
+        for (int axis = 0; axis < dim; ++axis) {
+            const auto& [distance, length] = line[axis][rest % line[axis].size()];
+            rest /= line[axis].size();
+            X[axis] = scene.lower[axis] + distance;
+            half[axis] = 0.5 * length;
+        }
+        const double volume = (2 * half).prod();
+        particles.X.push_back(X);
+        particles.half.push_back(half);
+        particles.volume.push_back(volume);
+        particles.m.push_back(scene.rho * volume);
+    }
+}
+
+/// Position, F, stress and volume of a body that starts deformed.
+template <int dim>
+void deform(Particles<dim>& particles, const SolidScene<dim>& scene, const Options& options) {
+    const std::size_t count = particles.size();
+    std::vector<Vec<dim>> u(count);
+    std::vector<Tensor<dim>> F(count);
+    scene.deformed->displacement(particles.X, 0.0, u);
+    scene.deformed->F(particles.X, 0.0, F);
+    for (std::size_t p = 0; p < count; ++p) {
+        particles.x[p] += u[p];
+        if (options.frame == Frame::updated) particles.volume[p] *= F[p].determinant();
+        std::visit(
+            [&]<class L>(const L& law) {
+                if constexpr (ClosedLaw<L, dim>) particles.sigma[p] = law.template cauchy<dim>(F[p]);
+            },
+            scene.law);
+    }
+    particles.F = std::move(F);
+}
+
+template <int dim>
+std::vector<Vec<dim>> corners_of(const Particles<dim>& particles, bool undeformed) {
+    std::vector<Vec<dim>> corners;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        for (int k = 0; k < 1 << dim; ++k) {
+            Vec<dim> to_corner = particles.half[p];
+            for (int axis = 0; axis < dim; ++axis) to_corner[axis] *= (k >> axis & 1) == 0 ? -1 : 1;
+            if (!undeformed && !particles.F.empty()) to_corner = particles.F[p] * to_corner;
+            corners.push_back((undeformed ? particles.X[p] : particles.x[p]) + to_corner);
+        }
+    }
+    return corners;
+}
+
+bool asks_for_F(const Options& options, const Law& law) {
+    const bool closed_only = std::holds_alternative<NeoHookeanLaw>(law) || std::holds_alternative<HenckyLaw>(law);
+    return options.frame == Frame::total || options.stress_from_F || closed_only || options.basis == Basis::cpgimp ||
+           options.basis == Basis::cpdi;
+}
+
+}  // namespace
+
 std::vector<Seed> seeds(Placement placement, int ppc) {
     if (placement == Placement::gauss) return gauss_points(ppc);
     std::vector<Seed> points;
     for (int k = 1; k <= ppc; ++k) {
         const double centred = (2.0 * k - 1.0) / (2.0 * ppc);
         const double even = static_cast<double>(k) / (ppc + 1.0);
-        points.push_back({placement == Placement::cell_centred ? centred : even, 1.0 / ppc});
+        points.push_back({placement == Placement::even_interior ? even : centred, 1.0 / ppc});
     }
     return points;
 }
 
 template <int dim>
-Particles<dim> seeded(const SolidScene<dim>& scene, const Resolution& resolution, Placement placement, bool with_F) {
-    const auto line = seeds(placement, resolution.ppc);
-    const double h = resolution.h;
-    std::array<long, dim> along{};
-    long total = 1;
-    for (int axis = 0; axis < dim; ++axis) {
-        along[axis] = std::lround((scene.upper[axis] - scene.lower[axis]) / h) * resolution.ppc;
-        total *= along[axis];
-    }
+Particles<dim> seeded(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F) {
     Particles<dim> particles;
-    for (long p = 0; p < total; ++p) {
-        Vec<dim> X;
-        double volume = 1;
-        long rest = p;
-        for (int axis = 0; axis < dim; ++axis) {
-            const long k = rest % along[axis];
-            rest /= along[axis];
-            const Seed& seed = line[static_cast<std::size_t>(k % resolution.ppc)];
-            X[axis] = scene.lower[axis] + (static_cast<double>(k / resolution.ppc) + seed.xi) * h;
-            volume *= seed.share * h;
-        }
-        particles.X.push_back(X);
-        particles.volume.push_back(volume);
-        particles.m.push_back(scene.rho * volume);
-    }
-    const auto count = static_cast<std::size_t>(total);
+    place(particles, scene, options, resolution);
     particles.x = particles.X;
+    const std::size_t count = particles.X.size();
     particles.v.assign(count, Vec<dim>::Zero());
-    scene.velocity(particles.X, 0.0, particles.v);
+    if (scene.velocity) scene.velocity(particles.X, 0.0, particles.v);
     particles.sigma.assign(count, Tensor<dim>::Zero());
-    if (with_F) particles.F.assign(count, Tensor<dim>::Identity());
-    particles.base.assign(count, -1);
-    particles.xi.assign(count, Vec<dim>::Zero());
+    particles.cell.assign(count, Cell<dim>::Constant(nowhere));
+    if (with_F || asks_for_F(options, scene.law)) particles.F.assign(count, Tensor<dim>::Identity());
+    if (scene.deformed) deform(particles, scene, options);
+    if (options.affine()) particles.L.assign(count, Tensor<dim>::Zero());
+    if (options.basis == Basis::cpdi2) particles.corners = corners_of(particles, options.frame == Frame::total);
+    if (std::holds_alternative<J2Law>(scene.law)) particles.history.resize(count);
     return particles;
 }
 
-template Particles<1> seeded(const SolidScene<1>&, const Resolution&, Placement, bool);
-template Particles<2> seeded(const SolidScene<2>&, const Resolution&, Placement, bool);
-template Particles<3> seeded(const SolidScene<3>&, const Resolution&, Placement, bool);
+template Particles<1> seeded(const SolidScene<1>&, const Options&, const Resolution&, bool);
+template Particles<2> seeded(const SolidScene<2>&, const Options&, const Resolution&, bool);
+template Particles<3> seeded(const SolidScene<3>&, const Options&, const Resolution&, bool);
 
 }  // namespace ordo::solvers::mpm

@@ -1,9 +1,8 @@
 #pragma once
 // The particles: one array a field, and how they are seeded.
-#include <array>
 #include <vector>
 
-#include "solvers/mpm/options.hpp"
+#include "solvers/mpm/grid.hpp"
 
 namespace ordo::solvers::mpm {
 
@@ -14,23 +13,42 @@ struct Seed {
 };
 std::vector<Seed> seeds(Placement placement, int ppc);
 
+/// Distance of a particle along one axis from where the body begins, and the length that it stands for [m].
+struct Stretch {
+    double distance;
+    double length;
+};
+std::vector<Stretch> along_edge(const Options& options, const Resolution& resolution, double edge);
+
+/// Points that carry mass, momentum and stress to the grid: the particles, or what a reconstruction puts in their
+/// place.
 template <int dim>
-struct Particles {
+struct Points {
     std::vector<Vec<dim>> X;         ///< position in the undeformed body [m]
     std::vector<Vec<dim>> x;         ///< position now [m]
     std::vector<Vec<dim>> v;         ///< [m/s]
     std::vector<double> m;           ///< [kg]
-    std::vector<double> volume;      ///< [m^dim]
+    std::vector<double> volume;      ///< [m^dim]; of the undeformed body in the total frame
     std::vector<Tensor<dim>> sigma;  ///< Cauchy stress [Pa]
-    std::vector<Tensor<dim>> F;      ///< deformation gradient; empty when nobody asked for strain
-    std::vector<int> base;           ///< first node of the particle's cell
-    std::vector<Vec<dim>> xi;        ///< local coordinate in that cell
 
     std::size_t size() const { return x.size(); }
 };
 
-/// ppc^dim particles in every cell of the body, at rest stress-free, with the scene's velocity.
+/// Arrays that only some choices need are empty with the others.
 template <int dim>
-Particles<dim> seeded(const SolidScene<dim>& scene, const Resolution& resolution, Placement placement, bool with_F);
+struct Particles : Points<dim> {
+    std::vector<Tensor<dim>> F;           ///< deformation gradient [-]
+    std::vector<Vec<dim>> half;           ///< half edges of the undeformed particle's box [m]
+    std::vector<Tensor<dim>> L;           ///< affine velocity field around the particle: its gradient [1/s]
+    std::vector<Vec<dim>> corners;        ///< of the particle's box now, 2^dim each, axis 0 fastest [m]
+    std::vector<J2Law::History> history;  ///< of a law with memory
+    std::vector<Cell<dim>> cell;          ///< where it was found last
+};
+
+/// The body filled with particles by the placement chosen, with the scene's velocity (none: at rest) and deformation at
+/// t = 0.
+/// `with_F`: somebody asks for the deformation gradient.
+template <int dim>
+Particles<dim> seeded(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F);
 
 }  // namespace ordo::solvers::mpm

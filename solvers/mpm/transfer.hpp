@@ -1,43 +1,80 @@
 #pragma once
-// The loop over the nodes that one particle touches; everything between particles and grid goes through it.
-#include <array>
+// Sums over stencils: from points to the grid, and back.
+#include <algorithm>
+#include <vector>
 
+#include "solvers/mpm/basis/stencil.hpp"
 #include "solvers/mpm/grid.hpp"
+#include "solvers/mpm/particles.hpp"
 
 namespace ordo::solvers::mpm {
 
-constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * power(base, exponent - 1); }
+/// out_i = sum_p S_ip m_p.
+template <int dim>
+void scatter_mass(const Stencils<dim>& stencils, std::span<const double> m, std::vector<double>& out) {
+    std::fill(out.begin(), out.end(), 0.0);
+    for (std::size_t p = 0; p < stencils.points(); ++p)
+        stencils.row(p, [&](int i, double w, const Vec<dim>&) { out[static_cast<std::size_t>(i)] += w * m[p]; });
+}
 
-/// visit(node, w, grad_w) for each node that a particle at the local coordinate xi of the cell `base` touches:
-/// w its shape value [-], grad_w its gradient [1/m], as tensor products of the 1D functions of Basis.
-template <class Basis, int dim, class Visit>
-inline void for_each_node(const Grid<dim>& grid, int base, const Vec<dim>& xi, Visit&& visit) {
-    constexpr int width = Basis::width;
-    std::array<std::array<double, width>, dim> value;
-    std::array<std::array<double, width>, dim> slope;
-    for (int axis = 0; axis < dim; ++axis) {
-        value[axis] = Basis::values(xi[axis]);
-        slope[axis] = Basis::slopes(xi[axis]);
-    }
-    for (int k = 0; k < power(width, dim); ++k) {
-        int node = base;
-        double w = 1;
-        Vec<dim> grad_w = Vec<dim>::Constant(1 / grid.h);
-        for (int axis = 0; axis < dim; ++axis) {
-            const int along = k / power(width, axis) % width;
-            node += along * grid.stride[axis];
-            w *= value[axis][along];
-            for (int c = 0; c < dim; ++c) grad_w[c] *= c == axis ? slope[axis][along] : value[axis][along];
-        }
-        visit(node, w, grad_w);
+/// out_i += sum_p S_ip m_p f_p.
+template <int dim>
+void scatter(const Stencils<dim>& stencils, std::span<const double> m, std::span<const Vec<dim>> f,
+             std::vector<Vec<dim>>& out) {
+    for (std::size_t p = 0; p < stencils.points(); ++p) {
+        const Vec<dim> amount = m[p] * f[p];
+        stencils.row(p, [&](int i, double w, const Vec<dim>&) { out[static_cast<std::size_t>(i)] += w * amount; });
     }
 }
 
-/// Calls f with the flag as a compile-time constant, so that a choice made between passes costs nothing inside one.
-template <class F>
-void with_constant(bool flag, F&& f) {
-    if (flag) f(std::true_type{});
-    else f(std::false_type{});
+/// out_i += sum_p S_ip m_p L_p (x_i - x_p): what an affine velocity field adds to the momentum.
+template <int dim>
+void scatter_affine(const Grid<dim>& grid, const Stencils<dim>& stencils, std::span<const Vec<dim>> x,
+                    std::span<const double> m, std::span<const Tensor<dim>> L, std::vector<Vec<dim>>& out) {
+    for (std::size_t p = 0; p < stencils.points(); ++p) {
+        stencils.row(p, [&](int i, double w, const Vec<dim>&) {
+            out[static_cast<std::size_t>(i)] += w * m[p] * (L[p] * (grid.position(i) - x[p]));
+        });
+    }
+}
+
+/// out_i -= sum_p V_p sigma_p grad S_ip. `nominal(p)` is the stress that goes with the gradients.
+template <int dim, class Nominal>
+void scatter_stress(const Stencils<dim>& stencils, std::span<const double> volume, Nominal&& nominal,
+                    std::vector<Vec<dim>>& out) {
+    for (std::size_t p = 0; p < stencils.points(); ++p) {
+        const Tensor<dim> pull = volume[p] * nominal(p);
+        stencils.row(p,
+                     [&](int i, double, const Vec<dim>& grad_w) { out[static_cast<std::size_t>(i)] -= pull * grad_w; });
+    }
+}
+
+/// sum_i S_ip f_i.
+template <int dim>
+Vec<dim> value_at(const Stencils<dim>& stencils, std::size_t p, std::span<const Vec<dim>> f) {
+    Vec<dim> sum = Vec<dim>::Zero();
+    stencils.row(p, [&](int i, double w, const Vec<dim>&) { sum += w * f[static_cast<std::size_t>(i)]; });
+    return sum;
+}
+
+/// sum_i f_i (x) grad S_ip.
+template <int dim>
+Tensor<dim> gradient_at(const Stencils<dim>& stencils, std::size_t p, std::span<const Vec<dim>> f) {
+    Tensor<dim> sum = Tensor<dim>::Zero();
+    stencils.row(
+        p, [&](int i, double, const Vec<dim>& grad_w) { sum += f[static_cast<std::size_t>(i)] * grad_w.transpose(); });
+    return sum;
+}
+
+/// D_p = sum_i S_ip (x_i - x_p)(x_i - x_p)^T [m^2].
+template <int dim>
+Tensor<dim> spread_at(const Grid<dim>& grid, const Stencils<dim>& stencils, std::size_t p, const Vec<dim>& x) {
+    Tensor<dim> sum = Tensor<dim>::Zero();
+    stencils.row(p, [&](int i, double w, const Vec<dim>&) {
+        const Vec<dim> r = grid.position(i) - x;
+        sum += w * r * r.transpose();
+    });
+    return sum;
 }
 
 }  // namespace ordo::solvers::mpm

@@ -82,11 +82,7 @@ void check_bounds(const Result& result, const Expectation& expectation, std::vec
 /// Planned runs that are not there, there twice, or there without being planned.
 int misplaced(const Result& result) {
     const auto same = [](const RunSpec& spec, const Run& run) {
-        const auto equal = [](const RunFigure& a, const RunFigure& b) {
-            return a.name == b.name && a.value == b.value;
-        };
-        return spec.solver.label == run.solver &&
-               std::equal(spec.axes.begin(), spec.axes.end(), run.axes.begin(), run.axes.end(), equal);
+        return spec.solver.label == run.solver && spec.axes == run.axes;
     };
     const auto planned = specs_of(result.study);
     int wrong = 0;

@@ -30,6 +30,12 @@ struct ExactValues {
     }
 };
 
+const std::vector<double>& weights_of(const Quantity& quantity, const solvers::Snapshot& shot) {
+    if (!quantity.undeformed) return shot.weights;
+    if (shot.weights_undeformed.empty()) throw std::logic_error("the solver knows no undeformed body");
+    return shot.weights_undeformed;
+}
+
 }  // namespace
 
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
@@ -41,8 +47,8 @@ std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantit
         if (quantity.against != Against::exact) continue;
         const Field& found = shot.field(quantity.field);
         const auto values = truth.field(quantity.field, found.components);
-        errors.push_back(
-            {quantity.key(), error_norm(quantity.norm, found.values, values, shot.weights, found.components)});
+        errors.push_back({quantity.key(), error_norm(quantity.norm, found.values, values, weights_of(quantity, shot),
+                                                     found.components)});
     }
     return errors;
 }
@@ -50,7 +56,7 @@ std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantit
 double error_against(const Quantity& quantity, const solvers::Snapshot& shot, const solvers::Snapshot& reference) {
     const Field& found = shot.field(quantity.field);
     const Field& best = reference.field(quantity.field);
-    return error_norm(quantity.norm, found.values, best.values, reference.weights, found.components);
+    return error_norm(quantity.norm, found.values, best.values, weights_of(quantity, reference), found.components);
 }
 
 }  // namespace ordo::studies

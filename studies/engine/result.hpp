@@ -17,6 +17,8 @@ std::string text_of(Status status);
 struct RunFigure {
     std::string name;
     double value = 0;
+
+    bool operator==(const RunFigure&) const = default;
 };
 
 /// One solver at one resolution.

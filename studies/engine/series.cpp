@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 #include "studies/engine/judge.hpp"
@@ -40,7 +41,8 @@ bool moves(const Refinement& refinement, const std::string& axis) {
 std::string label_of(const Study& study, const Run& run, const Refinement& refinement) {
     std::string label = study.solvers.size() > 1 ? run.solver : "";
     for (const auto& axis : study.sweep.axes) {
-        if (moves(refinement, axis.name) || axis.values.size() == 1) continue;
+        const bool known = !std::isnan(run.axis(axis.name));  // not every solver knows every axis
+        if (!known || moves(refinement, axis.name) || axis.values.size() == 1) continue;
         label += (label.empty() ? "" : ", ") + axis.name + " = " + shortest(run.axis(axis.name));
     }
     return label.empty() ? run.solver : label;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -21,6 +23,8 @@ std::vector<Point> points_of(const Study& study) {
     for (const auto& axis : sweep.axes) dt_zipped = dt_zipped || (sweep.path == Path::joint && axis.name == "dt");
     for (const auto& axis : sweep.axes) {
         if (dt_zipped && axis.name == "dt") continue;
+        if (points.size() * axis.values.size() > most_runs)
+            throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
         std::vector<Point> longer;
         for (const auto& point : points) {
             for (std::size_t k = 0; k < axis.values.size(); ++k) {
@@ -33,10 +37,22 @@ std::vector<Point> points_of(const Study& study) {
             }
         }
         points = std::move(longer);
-        if (points.size() > most_runs)
-            throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
     }
     return points;
+}
+
+/// The points along the axes that the solver knows, each once.
+std::vector<Point> points_for(const solvers::Solver& solver, const std::vector<Point>& points) {
+    std::vector<Point> own;
+    std::set<std::vector<double>> seen;
+    for (Point point : points) {
+        std::erase_if(point,
+                      [&](const RunFigure& axis) { return find_parameter(solver.resolution, axis.name) == nullptr; });
+        std::vector<double> values;
+        for (const auto& axis : point) values.push_back(axis.value);
+        if (seen.insert(std::move(values)).second) own.push_back(std::move(point));
+    }
+    return own;
 }
 
 std::string text_of_point(const Point& point) {
@@ -65,6 +81,10 @@ RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& poi
     const double steps = study.measure.until == Until::steps ? study.measure.at : study.measure.at / spec.plan.dt;
     if (!(steps < most_steps)) throw InputError(where, "asks for more than " + shortest(most_steps) + " steps");
     spec.t_end = end_time(study.measure, spec.plan.dt);
+    const Range times = scene_named(study.scene.name, "").truth(study.scene.values).times;
+    if (!times.contains(spec.t_end))
+        throw InputError(
+            where, "ends at t = " + shortest(spec.t_end) + ", but the exact solution holds for t " + times.text());
     spec.cost = spec.plan.points * steps;
     return spec;
 }
@@ -84,7 +104,7 @@ std::vector<RunSpec> specs_of(const Study& study) {
     const auto points = points_of(study);
     std::vector<RunSpec> specs;
     for (const auto& choice : study.solvers) {
-        for (const auto& point : points) {
+        for (const auto& point : points_for(solvers::solver_named(choice.name, ""), points)) {
             specs.push_back(spec_of(study, choice, point, problem));
             specs.back().id = static_cast<int>(specs.size()) - 1;
         }

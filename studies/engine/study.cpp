@@ -34,7 +34,8 @@ std::string text_of(Compare compare) {
 }
 
 std::string Quantity::key() const {
-    return field + "." + text_of(norm) + (maximum ? ".max" : "") + (against == Against::finest ? "@finest" : "");
+    return field + "." + text_of(norm) + (undeformed ? ".undeformed" : "") + (maximum ? ".max" : "") +
+           (against == Against::finest ? "@finest" : "");
 }
 
 bool Condition::holds(double found) const {

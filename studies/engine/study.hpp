@@ -48,8 +48,9 @@ struct Quantity {
     Norm norm = Norm::rms;
     Against against = Against::exact;
     bool maximum = false;
+    bool undeformed = false;  ///< integrals are over the undeformed body instead of the body now
 
-    std::string key() const;  ///< "displacement.rms", "velocity.linf.max", "displacement.rms@finest"
+    std::string key() const;  ///< "displacement.rms", "velocity.l2.undeformed.max", "displacement.rms@finest"
     bool operator==(const Quantity&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -96,6 +97,9 @@ PublishedValue published_value(const Node& row, const Study& study) {
     value.printed = row.at("value").text();
     if (!std::regex_match(value.printed, decimal))
         row.at("value").refuse("is '" + value.printed + "', but must be a decimal number as printed");
+    double number = 0;
+    if (std::from_chars(value.printed.data(), value.printed.data() + value.printed.size(), number).ec != std::errc{})
+        row.at("value").refuse("is '" + value.printed + "', which no double holds");
     for (const auto& axis : study.sweep.axes) {
         if (axis.values.size() > 1 && !value.axes.contains(axis.name))
             row.refuse("does not say which '" + axis.name + "'");
@@ -121,7 +125,15 @@ Published published_table(const Node& node, const Study& study) {
     else if (study.solvers.size() > 1)
         node.refuse("must name its 'solver', since the study has several (" + joined(solver_labels(study)) + ")");
     published.solver = node.has("solver") ? node.at("solver").text() : study.solvers.front().label;
-    for (const auto& row : table.at("rows").items()) published.values.push_back(published_value(row, study));
+    if (published.id.empty()) table.at("id").refuse("is empty");
+    if (published.compare == Compare::none && published.because.empty()) node.at("because").refuse("is empty");
+    for (const auto& row : table.at("rows").items()) {
+        auto value = published_value(row, study);
+        for (const auto& before : published.values) {
+            if (before.axes == value.axes) row.refuse("repeats a row: its place in the sweep has a value already");
+        }
+        published.values.push_back(std::move(value));
+    }
     if (published.values.empty()) table.at("rows").refuse("is an empty list");
     return published;
 }
@@ -155,7 +167,12 @@ void inline_published(Json& document, const std::string& where, const std::strin
 
 std::vector<Published> published_from(const Node& node, const Study& study) {
     std::vector<Published> tables;
-    for (const auto& item : node.items()) tables.push_back(published_table(item, study));
+    for (const auto& item : node.items()) {
+        tables.push_back(published_table(item, study));
+        for (std::size_t k = 0; k + 1 < tables.size(); ++k) {
+            if (tables[k].id == tables.back().id) item.refuse("repeats the table '" + tables[k].id + "'");
+        }
+    }
     return tables;
 }
 

@@ -33,9 +33,12 @@ SceneChoice scene_from(const Node& node) {
 std::vector<SolverChoice> solvers_from(const Node& node) {
     if (!node.is_object()) node.refuse("must be an object with a 'name'");
     const auto& solver = solvers::solver_named(node.at("name").text(), node.at("name").where());
+    std::string label = solver.name;
+    if (node.has("label")) label = node.at("label").text();
+    if (label.empty()) node.at("label").refuse("is empty");
     std::vector<Given> variants{{}};
     for (const auto& member : node.members()) {
-        if (member.key() == "name") continue;
+        if (member.key() == "name" || member.key() == "label") continue;
         const auto choices = member.items();
         if (choices.empty()) member.refuse("is an empty list");
         std::vector<Given> longer;
@@ -49,7 +52,7 @@ std::vector<SolverChoice> solvers_from(const Node& node) {
     }
     std::vector<SolverChoice> choices;
     for (const auto& given : variants) {
-        choices.push_back({solver.name, resolve(solver.options, given, node.where(), "solver " + solver.name), ""});
+        choices.push_back({solver.name, resolve(solver.options, given, node.where(), "solver " + solver.name), label});
     }
     return choices;
 }
@@ -57,21 +60,24 @@ std::vector<SolverChoice> solvers_from(const Node& node) {
 std::vector<SolverChoice> all_that_accept(const solvers::Scene& scene) {
     std::vector<SolverChoice> choices;
     for (const auto& solver : solvers::all_solvers()) {
-        if (solver.accepts(scene)) choices.push_back({solver.name, resolve(solver.options, {}, "", solver.name), ""});
+        if (solver.accepts(scene))
+            choices.push_back({solver.name, resolve(solver.options, {}, "", solver.name), solver.name});
     }
     return choices;
 }
 
-/// Labels tell solvers apart by what differs between them: "mpm usl", "mpm usl, half_kick = true".
+/// Solvers with the same label, given or by name, are told apart by what differs between them: "mpm usl",
+/// "mpm usl, margin = 0.2".
 void label(std::vector<SolverChoice>& choices, const Node& node) {
+    const std::vector<SolverChoice> given = choices;
     std::set<std::string> labels;
     for (auto& choice : choices) {
-        choice.label = choice.name;
+        const std::string own = choice.label;
         for (const auto& [name, value] : choice.options.all()) {
             const auto differs = [&](const SolverChoice& other) {
-                return other.name == choice.name && other.options.all().at(name) != value;
+                return other.name == choice.name && other.label == own && other.options.all().at(name) != value;
             };
-            if (std::none_of(choices.begin(), choices.end(), differs)) continue;
+            if (std::none_of(given.begin(), given.end(), differs)) continue;
             choice.label += std::holds_alternative<std::string>(value) ? " " + text_of(value)
                                                                        : ", " + name + " = " + text_of(value);
         }
@@ -117,7 +123,7 @@ void check_fields(const Node& node, const Study& study) {
 }
 
 Measure measure_from(const Node& node, const Study& study) {
-    node.only({"at", "until", "fields", "norms", "over", "against"});
+    node.only({"at", "until", "fields", "norms", "over", "volume", "against"});
     Measure measure;
     measure.at = node.at("at").number();
     if (node.has("until"))
@@ -142,6 +148,9 @@ Measure measure_from(const Node& node, const Study& study) {
         if (norms.empty()) node.at("norms").refuse("is an empty list");
     }
     const bool maximum = node.has("over") && node.at("over").one_of({"final", "maximum"}) == 1;
+    const bool undeformed = node.has("volume") && node.at("volume").one_of({"current", "undeformed"}) == 1;
+    if (undeformed && !solvers::is_solid(scene_named(study.scene.name, "").problem(study.scene.values)))
+        node.at("volume").refuse("is \"undeformed\", but the scene has no body");
     std::vector<Against> against{Against::exact};
     if (node.has("against")) {
         against.clear();
@@ -154,7 +163,7 @@ Measure measure_from(const Node& node, const Study& study) {
             node.refuse("'against' may be 'finest' only where the sweep's path is 'time' and 'over' is 'final'");
         }
         for (const auto& field : measure.fields) {
-            for (const Norm norm : norms) measure.quantities.push_back({field, norm, truth, maximum});
+            for (const Norm norm : norms) measure.quantities.push_back({field, norm, truth, maximum, undeformed});
         }
     }
     return measure;

@@ -40,6 +40,7 @@ void check_path(const Node& node, const Sweep& sweep, const std::string& width_n
     }
     if (sweep.path == Path::time && dt == nullptr && !courant)
         node.refuse("path 'time' needs the axis 'dt' or 'courant'");
+    if (courant && dt != nullptr) node.refuse("has both 'dt' and 'courant', but a step is given by one of them");
     const auto several = [](const Axis* axis) { return axis != nullptr && axis->values.size() > 1; };
     if (sweep.path == Path::grid && (!several(width) || !several(dt))) {
         node.refuse("path 'grid' needs several values of '" + width_name + "' and of 'dt'");
@@ -60,15 +61,18 @@ Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices) {
     for (const auto& member : node.members()) {
         if (member.key() == "path") continue;
         sweep.axes.push_back(axis_from(member));
+        bool known = choices.empty();
         for (const auto& choice : choices) {
             const auto& declared = solvers::solver_named(choice.name, "").resolution;
             const Parameter* parameter = find_parameter(declared, member.key());
-            if (parameter == nullptr) {
-                member.refuse("is not a resolution of solver " + choice.name +
-                              did_you_mean(member.key(), names_of(declared)));
-            }
+            if (parameter == nullptr) continue;
+            known = true;
             for (const auto& item : member.items()) check_value(*parameter, item.number(), item.where());
         }
+        if (known) continue;
+        const auto& declared = solvers::solver_named(choices.front().name, "").resolution;
+        member.refuse("is not a resolution of solver " + choices.front().name +
+                      did_you_mean(member.key(), names_of(declared)));
     }
     check_path(node, sweep, width_axis(choices));
     return sweep;

@@ -71,7 +71,7 @@ TEST_CASE("cli: what cannot be solved is refused", "[cli]") {
         {{"--t", "1", "--set", "scene.Emodul=5"}, "'Emodul'"},
         {{"--t", "1", "--set", "solver.stress_update=mus"}, "nearest: 'musl'"},
         {{"--t", "1", "--set", "resolution.cell=5"}, "nearest: 'cells'"},
-        {{"--t", "1", "--set", "resolution.ppc=4,8"}, "whole number"},
+        {{"--t", "1", "--set", "resolution.ppc=4,8"}, "must be a number"},
         {{"--t", "1", "--set", "resolution.cells=4"}, "set twice"},
         {{"--t", "1", "--set", "resolution.courant=0.5"}, "exactly one of"},
         {{"--t", "1", "--format", "jsn"}, "nearest: 'json'"},

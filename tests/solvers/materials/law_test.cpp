@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "oracles/plasticity/j2_simple_shear.hpp"
+#include "oracles/plasticity/j2_uniaxial_strain.hpp"
 #include "tests/catch.hpp"
 
 using namespace ordo;
@@ -25,7 +27,22 @@ const std::vector<Case> cases{
 
 template <int dim>
 Tensor<dim> updated(const Law& law, const Tensor<dim>& sigma, const Tensor<dim>& dL) {
-    return std::visit([&](const auto& kind) -> Tensor<dim> { return kind.template updated<dim>(sigma, dL); }, law);
+    return std::visit(
+        [&]<class L>(const L& kind) -> Tensor<dim> {
+            if constexpr (IncrementLaw<L, dim>) return kind.template updated<dim>(sigma, dL);
+            else throw std::logic_error("no law in increments");
+        },
+        law);
+}
+
+template <int dim>
+Tensor<dim> cauchy(const Law& law, const Tensor<dim>& F) {
+    return std::visit(
+        [&]<class L>(const L& kind) -> Tensor<dim> {
+            if constexpr (ClosedLaw<L, dim>) return kind.template cauchy<dim>(F);
+            else throw std::logic_error("no law in closed form");
+        },
+        law);
 }
 
 /// Stress at F_end after `count` equal steps of F; the increment is measured on the mesh before or after each step.
@@ -40,7 +57,8 @@ double integrated(const Law& law, int count, bool moved_mesh) {
 }
 
 const Moduli C{.lambda = 0.7, .mu = 0.4};
-const std::vector<std::string> law_names{"E ln F", "E(1-1/F)", "E(F-1)"};
+const std::vector<std::string> law_names{"E ln F", "E(1-1/F)", "E(F-1)"};  // those in rates
+const std::vector<std::string> closed_names{"E ln F / F", "E(F-1/F)/2"};
 
 template <int dim>
 Tensor<dim> some_stress() {
@@ -133,7 +151,138 @@ TEST_CASE("law: an even swelling integrates to each rate's own closed form", "[u
 TEST_CASE("law: the declared words are the ones that can be made", "[unit]") {
     const Parameter law = law_parameter("E(F-1)");
     CHECK(law.default_text() == "E(F-1)");
-    CHECK(law.word_names() == law_names);
+    auto names = law_names;
+    names.insert(names.end(), closed_names.begin(), closed_names.end());
+    CHECK(law.word_names() == names);
     for (const auto& name : law.word_names()) CHECK_NOTHROW(make_law(name, C));
     CHECK_THROWS_AS(make_law("E F", C), std::logic_error);
+}
+
+TEST_CASE("law: in one dimension the closed form is the law's name", "[unit]") {
+    for (const double F : {0.3, 0.99, 1.0, 1.6, 7.0}) {
+        const auto stress = [F](const std::string& name) {
+            return cauchy<1>(make_law(name, {.lambda = 0, .mu = E / 2}), Tensor<1>(F))(0, 0);
+        };
+        CHECK(stress("E ln F") == Approx(E * std::log(F)).margin(1e-15));
+        CHECK(stress("E(1-1/F)") == Approx(E * (1 - 1 / F)).margin(1e-15));
+        CHECK(stress("E(F-1)") == Approx(E * (F - 1)).margin(1e-15));
+        CHECK(stress("E ln F / F") == Approx(E * std::log(F) / F).margin(1e-15));
+        CHECK(stress("E(F-1/F)/2") == Approx(E / 2 * (F - 1 / F)).margin(1e-15));
+    }
+}
+
+TEST_CASE("law: neo-Hookean and Hencky by hand, along the axes and in simple shear", "[unit]") {
+    const Tensor<3> F = Vec<3>(1.3, 0.8, 1.1).asDiagonal();
+    const double J = 1.3 * 0.8 * 1.1;
+    const Tensor<3> neo = cauchy<3>(NeoHookeanLaw{C}, F);
+    const Tensor<3> hencky = cauchy<3>(HenckyLaw{C}, F);
+    for (int i = 0; i < 3; ++i) {
+        const double a = F(i, i);
+        CHECK(neo(i, i) == Approx((C.lambda * std::log(J) + C.mu * (a * a - 1)) / J));
+        CHECK(hencky(i, i) == Approx((C.lambda * std::log(J) + 2 * C.mu * std::log(a)) / J));
+    }
+    CHECK((neo.norm() == Approx(neo.diagonal().norm()) && hencky.norm() == Approx(hencky.diagonal().norm())));
+    const double gamma = 0.9;
+    Tensor<2> shear = Tensor<2>::Identity();
+    shear(0, 1) = gamma;
+    const Tensor<2> a = cauchy<2>(NeoHookeanLaw{C}, shear);
+    CHECK(a(0, 0) == Approx(C.mu * gamma * gamma));
+    CHECK((a(0, 1) == Approx(C.mu * gamma) && a(1, 0) == Approx(C.mu * gamma)));
+    CHECK(std::abs(a(1, 1)) < 1e-15);
+    // Principal stretches k and 1/k, k = (gamma + r) / 2, r = sqrt(gamma^2 + 4), at the angle tan 2 theta = 2 / gamma.
+    const double r = std::sqrt(gamma * gamma + 4);
+    const double tau = 2 * C.mu * std::log((gamma + r) / 2);
+    const Tensor<2> b = cauchy<2>(HenckyLaw{C}, shear);
+    CHECK((b(0, 0) == Approx(tau * gamma / r) && b(1, 1) == Approx(-tau * gamma / r)));
+    CHECK((b(0, 1) == Approx(tau * 2 / r) && b(1, 0) == Approx(tau * 2 / r)));
+}
+
+TEST_CASE("law: closed forms turn with the body, know no direction, and begin as Hooke's law", "[unit]") {
+    const Tensor<3> R = (Eigen::AngleAxisd(0.7, Vec<3>::UnitX()) * Eigen::AngleAxisd(-1.1, Vec<3>::UnitZ())).matrix();
+    Tensor<3> F;
+    F << 1.2, 0.3, -0.1, 0.05, 0.9, 0.2, -0.15, 0.1, 1.05;
+    for (const auto& name : closed_names) {
+        const Law law = make_law(name, C);
+        const Tensor<3> sigma = cauchy<3>(law, F);
+        CHECK((cauchy<3>(law, R * F) - R * sigma * R.transpose()).norm() < 1e-14);
+        CHECK((cauchy<3>(law, F * R) - sigma).norm() < 1e-14);
+        CHECK((sigma - sigma.transpose()).norm() < 1e-15);
+        const Tensor<3> small = 1e-6 * (F - Tensor<3>::Identity());
+        const Tensor<3> hooke = C.lambda * small.trace() * Tensor<3>::Identity() + C.mu * (small + small.transpose());
+        CHECK((cauchy<3>(law, Tensor<3>::Identity() + small) - hooke).norm() < 1e-11);  // (1e-6)^2
+        CHECK(stiffness(law) == Approx(0.7 + 2 * 0.4));
+    }
+}
+
+namespace {
+
+constexpr double G = 0.4, K = 0.7 + 2.0 / 3 * 0.4;  // of C
+
+/// Takes a J2 solid to and fro between +-peak in steps of peak / n, dL = strain increment times `mode`; look(t, sigma,
+/// history) after each.
+template <int dim, class Look>
+void cycle(const J2Law& law, const Tensor<dim>& mode, int n, double peak, Look&& look) {
+    J2Law::History history;
+    for (int k = 1; k <= 7 * n; ++k) {
+        const int leg = (k - 1 + n) / (2 * n);  // reversed at peak, after n, 3n, 5n, ... steps
+        const double d = peak / n * (leg % 2 == 0 ? 1 : -1);
+        const Tensor<dim> sigma = law.updated<dim>(history, Tensor<dim>(d * mode));
+        look(k * peak / n, sigma, history);
+    }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("law: J2 in uniaxial strain is exact for any step, there and back", "[unit]", ((int dim), dim),
+                       1, 2, 3) {
+    const double H = GENERATE(0.0, 0.15);
+    const int n = GENERATE(1, 3, 20);
+    const J2Law law{.C = C, .yield = 0.02, .hardening = H};
+    const oracles::J2UniaxialStrain exact{
+        .K = K, .G = G, .Y0 = 0.02, .H = H, .path = {.kind = oracles::StrainPath::Kind::cycle, .rate = 1, .peak = 0.1}};
+    Tensor<dim> mode = Tensor<dim>::Zero();
+    mode(0, 0) = 1;
+    bool yielded = false;
+    cycle<dim>(law, mode, n, 0.1, [&](double t, const Tensor<dim>& sigma, const J2Law::History& history) {
+        const auto state = exact.at(t);
+        // 140 steps of stresses up to 0.15.
+        CHECK(sigma(0, 0) == Approx(state.stress).margin(1e-15 * 140));
+        CHECK(history.sigma(0, 0) == sigma(0, 0));
+        CHECK(history.sigma(1, 1) == Approx(state.lateral_stress).margin(1e-15 * 140));
+        CHECK(history.sigma(2, 2) == Approx(state.lateral_stress).margin(1e-15 * 140));
+        CHECK(history.plastic_strain == Approx(state.plastic_strain).margin(1e-15 * 140));
+        yielded = yielded || state.plastic_strain > 0.05;
+    });
+    CHECK(yielded);
+}
+
+TEMPLATE_TEST_CASE_SIG("law: J2 in simple shear is exact for any step, there and back", "[unit]", ((int dim), dim), 2,
+                       3) {
+    const double H = GENERATE(0.0, 0.15);
+    const int n = GENERATE(1, 3, 20);
+    const J2Law law{.C = C, .yield = 0.02, .hardening = H};
+    const oracles::J2SimpleShear exact{
+        .G = G, .Y0 = 0.02, .H = H, .path = {.kind = oracles::StrainPath::Kind::cycle, .rate = 1, .peak = 0.1}};
+    Tensor<dim> mode = Tensor<dim>::Zero();
+    mode(0, 1) = mode(1, 0) = 0.5;  // without spin: the strain is small, and no axes turn
+    cycle<dim>(law, mode, n, 0.1, [&](double t, const Tensor<dim>& sigma, const J2Law::History& history) {
+        const auto state = exact.at(t);
+        CHECK(sigma(0, 1) == Approx(state.stress).margin(1e-15 * 140));
+        CHECK(std::abs(sigma(0, 0)) < 1e-15);
+        CHECK(history.plastic_strain == Approx(state.plastic_strain).margin(1e-15 * 140));
+    });
+}
+
+TEST_CASE("law: J2 turns its stress with the body, and yields nowhere meanwhile", "[unit]") {
+    const J2Law law{.C = C, .yield = 10, .hardening = 0};
+    const auto defect = [&](double angle) {
+        J2Law::History history;
+        history.sigma = some_stress<3>();
+        const Tensor<3> R = Eigen::AngleAxisd(angle, Vec<3>(1, 2, -1).normalized()).matrix();
+        const Tensor<3> before = history.sigma;
+        law.updated<3>(history, Tensor<3>(R - Tensor<3>::Identity()));
+        CHECK(history.plastic_strain == 0);
+        return (history.sigma - R * before * R.transpose()).norm();
+    };
+    CHECK(std::log2(defect(2e-3) / defect(1e-3)) == Approx(2).margin(0.01));
 }

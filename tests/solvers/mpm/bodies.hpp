@@ -1,5 +1,6 @@
 #pragma once
 // Bodies that the MPM tests share, and the way in through the solver's door.
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -77,16 +78,34 @@ Tensor<dim> tensor_at(const std::vector<double>& values, std::size_t p) {
     return Eigen::Map<const Tensor<dim>>(values.data() + p * dim * dim).transpose();
 }
 
-inline const std::vector<std::string> stress_updates{"usf", "usl", "musl"};
+inline const std::vector<std::string> stress_updates{"usf", "usl", "musl", "usavg"};
 
-/// When the stress is updated, and whether the first velocity step is half a one (which USF refuses).
+/// When the stress is updated, and how the step is begun or composed (a leapfrog is refused by USF and USAVG).
 struct TimeScheme {
     std::string stress_update;
-    bool half_kick;
-    std::string name() const { return stress_update + (half_kick ? ", half kick" : ""); }
+    std::string time;
+    bool leaps() const { return time == "leapfrog"; }
+    std::string name() const { return stress_update + ", " + time; }
 };
-inline const std::vector<TimeScheme> time_schemes{
-    {"usf", false}, {"usl", false}, {"musl", false}, {"usl", true}, {"musl", true}};
+inline const std::vector<TimeScheme> time_schemes{{"usf", "symplectic_euler"},  {"usl", "symplectic_euler"},
+                                                  {"musl", "symplectic_euler"}, {"usavg", "symplectic_euler"},
+                                                  {"usl", "leapfrog"},          {"musl", "leapfrog"},
+                                                  {"musl", "yoshida4"}};
+
+/// The number of that name; NaN, which no check passes, where there is none.
+inline double figure(const std::vector<Figure>& figures, const std::string& name) {
+    for (const auto& figure : figures) {
+        if (figure.name == name) return figure.value;
+    }
+    return std::nan("");
+}
+
+template <int dim>
+Vec<dim> momentum(const Particles<dim>& p) {
+    Vec<dim> sum = Vec<dim>::Zero();
+    for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * p.v[i];
+    return sum;
+}
 
 inline const std::vector<std::string> strain_increments{"undeformed_mesh", "moved_mesh"};
 

@@ -14,7 +14,7 @@ namespace {
 
 template <int dim>
 Resolution resolution(const SolidScene<dim>& scene, const Given& given) {
-    return resolution_from(scene, resolve(resolution_parameters(), given, "", "solver mpm"));
+    return resolution_from(scene, Options{}, resolve(resolution_parameters(), given, "", "solver mpm"));
 }
 
 const SolidScene<1> bar = test::fixed_free_bar(2, 4, 0.1, LogarithmicLaw{{.lambda = 0, .mu = 50}});
@@ -41,27 +41,21 @@ TEST_CASE("mpm options: cells must divide every edge of the body", "[unit]") {
     CHECK_THROWS_AS(resolution(sliver, {{"cells", 4.0}, {"dt", 1.0}}), InputError);
 }
 
-TEST_CASE("mpm options: each word reaches its option", "[unit]") {
-    const auto of = [](const Given& given) { return test::options_of(given); };
-    CHECK(of({}).stress_update == StressUpdate::musl);
-    CHECK(of({{"stress_update", "usf"}}).stress_update == StressUpdate::usf);
-    CHECK(of({{"stress_update", "usl"}}).stress_update == StressUpdate::usl);
-    CHECK(of({}).placement == Placement::cell_centred);
-    CHECK(of({{"placement", "even_interior"}}).placement == Placement::even_interior);
-    CHECK(of({{"placement", "gauss"}}).placement == Placement::gauss);
-    CHECK_FALSE(of({}).strain_from_moved_mesh);
-    CHECK(of({{"strain_increment", "moved_mesh"}}).strain_from_moved_mesh);
-    CHECK(of({}).volume_updated);
-    CHECK_FALSE(of({{"volume", "fixed"}}).volume_updated);
-    CHECK(of({}).moved_by_remapped);
-    CHECK_FALSE(of({{"position_update", "accelerated"}}).moved_by_remapped);
-    CHECK_FALSE(of({{"stress_update", "usl"}}).moved_by_remapped);
-    CHECK_FALSE(of({}).half_kick);
-    CHECK(of({{"half_kick", true}}).half_kick);
-    CHECK_THROWS_AS(of({{"half_kick", true}, {"stress_update", "usf"}}), InputError);
-    CHECK_FALSE(of({}).extrapolate);
-    CHECK(of({{"beyond_grid", "extrapolate"}}).extrapolate);
-    CHECK(of({{"margin", 2.0}}).margin == 2);
+TEST_CASE("mpm options: cells may span the margin, and a fraction of particles a cell", "[unit]") {
+    const auto of = [](Given chosen, const Given& given) {
+        chosen.insert({{"placement", "body_centred"}, {"margin", 0.15}});
+        return resolution_from(bar, test::options_of(chosen), resolve(resolution_parameters(), given, "", "mpm"));
+    };
+    const Given given{{"cells", 10.0}, {"ppc", 3.5}, {"dt", 1.0}};
+    CHECK(of({{"cells_span", "grid"}}, given).h == Approx(2 * 1.15 / 10));  // one free end
+    CHECK(of({}, given).h == Approx(0.2));
+    CHECK(of({}, given).ppc == 3.5);
+    CHECK_THROWS_WITH(resolution(bar, given), ContainsSubstring("'ppc' is 3.5, but must be whole"));
+    auto free = bar;
+    free.faces[0][0] = Face::free;
+    CHECK_THROWS_WITH(resolution_from(free, test::options_of({{"placement", "body_centred"}, {"cells_span", "grid"}}),
+                                      resolve(resolution_parameters(), given, "", "mpm")),
+                      ContainsSubstring("held lower face"));
 }
 
 TEST_CASE("mpm options: a plan says what a start will do", "[unit]") {

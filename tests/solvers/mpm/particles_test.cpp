@@ -58,7 +58,8 @@ TEMPLATE_TEST_CASE_SIG("particles: a body is filled with its own mass, at rest s
     const auto field = [](const Vec<dim>& X, double t) { return Vec<dim>(2 * X.array() + t + 1); };
     const auto scene = test::box<dim>(edges, Face::free, test::pointwise<dim>(field));
     const auto placement = GENERATE(Placement::cell_centred, Placement::even_interior, Placement::gauss);
-    const auto p = seeded<dim>(scene, {.cells = 4, .ppc = 3, .h = 0.25, .dt = 1}, placement, true);
+    const Resolution resolution{.cells = 4, .ppc = 3, .h = 0.25, .dt = 1};
+    const auto p = seeded<dim>(scene, {.placement = placement}, resolution, true);
     REQUIRE(p.size() == static_cast<std::size_t>(std::lround(edges.prod() / std::pow(0.25, dim) * std::pow(3, dim))));
     double mass = 0;
     double volume = 0;
@@ -76,5 +77,5 @@ TEMPLATE_TEST_CASE_SIG("particles: a body is filled with its own mass, at rest s
     CHECK(mass == Approx(scene.rho * edges.prod()).epsilon(1e-13));
     // Symmetric placement: the centre of mass is the middle of the box.
     CHECK((moment / mass - 0.5 * (scene.lower + scene.upper)).norm() < 1e-13);
-    CHECK(seeded<dim>(scene, {.cells = 4, .ppc = 3, .h = 0.25, .dt = 1}, placement, false).F.empty());
+    CHECK(seeded<dim>(scene, {.placement = placement}, resolution, false).F.empty());
 }

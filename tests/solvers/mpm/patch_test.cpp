@@ -113,7 +113,7 @@ TEMPLATE_TEST_CASE_SIG("patch: a skew translation over several cells stays exact
 
 TEMPLATE_TEST_CASE_SIG("patch: a general uniform velocity gradient strains its first step exactly", "[property]",
                        ((int dim), dim), 1, 2, 3) {
-    const auto stress_update = GENERATE(from_range(stress_updates));
+    const auto stress_update = GENERATE(as<std::string>{}, "usf", "usl", "musl");  // one update a step
     const auto strain_increment = GENERATE(from_range(strain_increments));
     const auto placement = GENERATE(as<std::string>{}, "cell_centred", "even_interior", "gauss");
     const auto law_name = GENERATE(as<std::string>{}, "E ln F", "E(1-1/F)", "E(F-1)");
@@ -188,9 +188,11 @@ TEMPLATE_TEST_CASE_SIG("patch: a simple shear stays exact over many steps and ce
     expected.velocity = velocity;
     expected.strain = count * dt * A;
     // A A = 0: the moved mesh gives the same increment, and F = I + t A.
-    for (int k = 0; k < count; ++k) expected.stress = law.template updated<dim>(expected.stress, Tensor<dim>(dt * A));
+    const int updates = stress_update == "usavg" ? 2 : 1;
+    for (int k = 0; k < count * updates; ++k)
+        expected.stress = law.template updated<dim>(expected.stress, Tensor<dim>(dt / updates * A));
     const Deviation most = compare<dim>(body->snapshot(), scene, reach * h, expected);
-    CHECK(most.particles == power(ppc, dim));
+    CHECK(most.particles == std::lround(std::pow(ppc, dim)));
     CHECK(body->work()[2].value > 0);
     CHECK(expected.stress.cwiseAbs().maxCoeff() > 1e-3);
     check_below(most, 1e-13);  // velocities near 5 rounded `count` times, over h = 0.1 in the gradients

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "core/error.hpp"
+#include "studies/engine/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/sample_study.hpp"
 
@@ -59,7 +61,29 @@ TEST_CASE("a list in an option stands for one solver each, labelled by what diff
     REQUIRE(study.solvers.size() == 4);
     CHECK(study.solvers[0].label == "mpm, margin = 0.1 usl");
     CHECK(study.solvers[3].label == "mpm, margin = 0.5 musl");
-    CHECK(study_of(with("/solvers", R"("all")")).solvers.size() == 1);
+    CHECK(study_of(with("/solvers", R"("all")")).solvers.size() == 2);  // mpm and fem
+}
+
+TEST_CASE("a solver may have a label; its variants are told apart behind it", "[unit]") {
+    const Study study = study_of(with("/solvers", R"([{"name": "mpm", "label": "theirs"},
+        {"name": "mpm", "label": "ours", "stress_update": ["usl", "musl"]}, {"name": "fem"}])"));
+    REQUIRE(study.solvers.size() == 4);
+    CHECK(study.solvers[0].label == "theirs");
+    CHECK(study.solvers[1].label == "ours usl");
+    CHECK(study.solvers[2].label == "ours musl");
+    CHECK(study.solvers[3].label == "fem");
+}
+
+TEST_CASE("an axis that a solver does not know leaves it alone", "[unit]") {
+    auto document = with("/solvers", R"("all")");
+    document["sweep"]["ppc"] = {1, 2};
+    std::map<std::string, int> runs;
+    for (const auto& spec : specs_of(study_of(document))) {
+        ++runs[spec.solver.name];
+        CHECK(spec.axes.size() == (spec.solver.name == "mpm" ? 3 : 2));
+    }
+    CHECK(runs == std::map<std::string, int>{{"mpm", 6}, {"fem", 3}});
+    CHECK_THROWS_WITH(study_of(with("/sweep/dx", "0.1")), ContainsSubstring("is not a resolution of solver mpm"));
 }
 
 TEST_CASE("the document of a study reads back as the same study", "[unit]") {
@@ -80,10 +104,10 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/scene/mode", "1.5", "a whole number in [1, 1000]"},
         {"/scene/name", "\"bar_vibratoin\"", "there is no scene 'bar_vibratoin' (nearest: 'bar_vibration')"},
         {"/scene", "3", "/scene: must be an object"},
-        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm, root_finding)"},
+        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm, fem, root_finding)"},
         {"/solvers/0/stress_update", "\"mulsl\"", "(nearest: 'musl')"},
         {"/solvers/0/stress_update", "[]", "/solvers/0/stress_update: is an empty list"},
-        {"/solvers/0/half_kick", "1", "must be true or false"},
+        {"/solvers/0/conservative", "1", "must be true or false"},
         {"/solvers", "[]", "no solver takes part"},
         {"/solvers", "[{\"name\": \"mpm\"}, {\"name\": \"mpm\"}]", "is listed twice"},
         {"/solvers", "\"al\"", "must be one of: all"},
@@ -97,6 +121,8 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/sweep/path", "\"joint\"", "path 'joint' needs 'courant'"},
         {"/sweep/path", "\"grid\"", "path 'grid' needs several values"},
         {"/sweep/courant", "0.5", "path 'space' keeps dt fixed"},
+        {"/sweep", "{\"cells\": [4, 8], \"dt\": 0.1, \"courant\": 0.1, \"path\": \"joint\"}",
+         "has both 'dt' and 'courant'"},
         {"/measure/at", "0", "/measure/at: is 0, but must be > 0"},
         {"/measure/until", "\"step\"", "(nearest: 'steps')"},
         {"/measure/until", "\"steps\"", "a whole number of steps"},

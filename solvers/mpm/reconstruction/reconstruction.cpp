@@ -1,0 +1,114 @@
+#include "solvers/mpm/reconstruction/reconstruction.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solvers/mpm/basis/basis.hpp"
+#include "solvers/solver.hpp"
+
+namespace ordo::solvers::mpm {
+namespace {
+
+using Kind = Reconstruction;
+
+/// Points and weights on (0, 1): Gauss's, or two in each half for the spline.
+std::vector<Seed> rule_of(Kind kind) {
+    if (kind != Kind::cubic_spline) return seeds(Placement::gauss, kind == Kind::impm ? 1 : kind == Kind::tls ? 2 : 4);
+    std::vector<Seed> rule;
+    for (const double from : {0.0, 0.5}) {
+        for (const auto& [xi, share] : seeds(Placement::gauss, 2)) rule.push_back({from + 0.5 * xi, 0.5 * share});
+    }
+    return rule;
+}
+
+std::span<const double> numbers(std::span<const Vec<1>> f) { return {f.data()->data(), f.size()}; }
+
+}  // namespace
+
+Reconstruction1D::Reconstruction1D(const Options& options) : degree_(options.degree) {
+    const Kind kind = options.reconstruction;
+    for (const auto& [xi, share] : rule_of(kind)) {
+        xi_.push_back(xi);
+        weight_.push_back(share);
+    }
+    if (kind == Kind::impm) {
+        degree_ = 1;
+        at_nodes_.emplace(1);
+    }
+    if (kind == Kind::tls) sampler_ = TaylorSampler{};
+    else if (kind != Kind::cubic_spline) sampler_ = MovingSampler(degree_);
+}
+
+void Reconstruction1D::place(const Grid<1>& grid, const Particles<1>& particles) {
+    const auto behind = [](const Vec<1>& a, const Vec<1>& b) { return !(a[0] < b[0]); };
+    if (std::ranges::adjacent_find(particles.x, behind) != particles.x.end() || !(grid.h > 0))
+        throw Diverged("particles have passed each other");
+    points.x.clear();
+    points.volume.clear();
+    stretches_.clear();
+    for (int cell = 0; cell < grid.cells[0]; ++cell) {
+        const double from = grid.lower[0] + cell * grid.h;
+        const double to = grid.lower[0] + (cell + 1) * grid.h;
+        stretches_.push_back({from, to});
+        for (std::size_t k = 0; k < xi_.size(); ++k) {
+            points.x.push_back(Vec<1>(from + xi_[k] * (to - from)));
+            points.volume.push_back(weight_[k] * (to - from));
+        }
+    }
+    const std::size_t count = points.x.size();
+    points.m.resize(count);
+    points.v.resize(count);
+    points.sigma.resize(count);
+    rho_.resize(count);
+    cell_.assign(count, Cell<1>::Constant(nowhere));
+    if (fill_at_points<1>(grid, std::span<const Vec<1>>(points.x), cell_, stencils).rows != count)
+        throw Diverged("the body left the grid");
+
+    // Wide enough for degree + 2 particles on either side of a regular line-up, so that the fit is overdetermined by as
+    // much again; two cells for impm, as published.
+    const double spacing = grid.h * grid.cells[0] / static_cast<double>(particles.size());
+    const double radius = at_nodes_ ? 2 * grid.h : 1.5 * (degree_ + 1.5) * spacing;
+    const Layout layout{numbers(particles.x), particles.volume, numbers(points.x)};
+    if (auto* spline = std::get_if<SplineSampler>(&sampler_)) spline->prepare(layout);
+    if (auto* moving = std::get_if<MovingSampler>(&sampler_)) moving->prepare(layout, radius);
+    if (auto* taylor = std::get_if<TaylorSampler>(&sampler_)) taylor->prepare(layout, stretches_);
+    if (at_nodes_) {
+        node_v.resize(static_cast<std::size_t>(grid.nodes()));
+        for (int i = 0; i < grid.nodes(); ++i) node_v[static_cast<std::size_t>(i)] = grid.position(i);
+        at_nodes_->prepare({numbers(particles.x), particles.volume, numbers(node_v)}, radius);
+    }
+
+    f_.resize(particles.size());
+    for (std::size_t p = 0; p < particles.size(); ++p) f_[p] = particles.m[p] / particles.volume[p];
+    sample(f_, rho_);
+    for (std::size_t k = 0; k < count; ++k) points.m[k] = rho_[k] * points.volume[k];
+    if (at_nodes_ || !std::holds_alternative<MovingSampler>(sampler_)) return;
+    const double wanted = std::accumulate(particles.m.begin(), particles.m.end(), 0.0);
+    const double scale = wanted / std::accumulate(points.m.begin(), points.m.end(), 0.0);
+    for (double& m : points.m) m *= scale;
+}
+
+void Reconstruction1D::sample_velocity(const Particles<1>& particles) {
+    if (at_nodes_) at_nodes_->sample(numbers(particles.v), {node_v.data()->data(), node_v.size()});
+    else sample_by_mass(particles, particles.v, points.v);
+}
+
+void Reconstruction1D::sample_forces(const Particles<1>& particles, std::span<const Vec<1>> force) {
+    sample({particles.sigma.data()->data(), particles.size()}, {points.sigma.data()->data(), points.size()});
+    b.resize(force.empty() || at_nodes_ ? 0 : points.size());
+    if (!b.empty()) sample_by_mass(particles, force, b);
+}
+
+/// Density times f is what is sampled, so that sums of m f have a meaning of their own.
+void Reconstruction1D::sample_by_mass(const Particles<1>& particles, std::span<const Vec<1>> f,
+                                      std::vector<Vec<1>>& out) {
+    for (std::size_t p = 0; p < particles.size(); ++p) f_[p] = particles.m[p] / particles.volume[p] * f[p][0];
+    sample(f_, {out.data()->data(), out.size()});
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = rho_[k] > 0 ? Vec<1>(out[k] / rho_[k]) : Vec<1>(0.0);
+}
+
+void Reconstruction1D::sample(std::span<const double> f, std::span<double> out) {
+    std::visit([&](auto& sampler) { sampler.sample(f, out); }, sampler_);
+}
+
+}  // namespace ordo::solvers::mpm

@@ -1,0 +1,95 @@
+#include "solvers/mpm/reconstruction/least_squares.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "tests/catch.hpp"
+
+using namespace ordo::solvers::mpm;
+
+namespace {
+
+/// 40 rising places on about (0, 10), a quarter apart but for a random part.
+std::vector<double> scattered() {
+    std::mt19937 bits(3);
+    std::uniform_real_distribution<double> any(-0.1, 0.1);
+    std::vector<double> x;
+    for (int k = 0; k < 40; ++k) x.push_back(0.25 * (k + 0.5) + any(bits));
+    return x;
+}
+
+double value(const MovingLeastSquares& mls, const std::vector<double>& x, int power) {
+    double sum = 0;
+    for (std::size_t k = 0; k < mls.weights().size(); ++k)
+        sum += mls.weights()[k] * std::pow(x[mls.first() + k], power);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("least squares: polynomials of the degree are met exactly, amid and at the ends", "[unit]") {
+    const auto x = scattered();
+    const int degree = GENERATE(1, 2, 3, 4, 5, 6);
+    MovingLeastSquares mls(x, degree);
+    const auto fewest = static_cast<std::size_t>(degree + 2);
+    for (const double at : {0.0, 0.1, 3.3, 5.0, 9.9, 10.0}) {
+        REQUIRE(mls.fit(at, 0.375 * (degree + 1.5), fewest));
+        for (int power = 0; power <= degree; ++power) {
+            const double scale = std::pow(10, power);  // powers of the local coordinate would be smaller
+            CHECK(std::abs(value(mls, x, power) - std::pow(at, power)) < 1e-10 * scale);
+        }
+    }
+    REQUIRE(mls.fit(5.0, 0.375 * (degree + 1.5), fewest));
+    CHECK(std::abs(value(mls, x, degree + 1) - std::pow(5, degree + 1)) > 1e-7);
+}
+
+TEST_CASE("least squares: the weights are those of the normal equations, with the cubic kernel", "[unit]") {
+    // Degree 1 about `at`: phi_k = w_k (S2 - S1 s_k) / (S0 S2 - S1^2) with moments S_n = sum w s^n.
+    const auto x = scattered();
+    const double at = 4.3;
+    const double radius = 0.9;
+    MovingLeastSquares mls(x, 1);
+    REQUIRE(mls.fit(at, radius, 2));
+    const auto w = [&](std::size_t k) {
+        const double r = std::abs(x[k] - at) / radius;
+        return r <= 0.5 ? 2.0 / 3 - 4 * r * r + 4 * r * r * r
+               : r < 1  ? 4.0 / 3 - 4 * r + 4 * r * r - 4.0 / 3 * r * r * r
+                        : 0;
+    };
+    double S0 = 0, S1 = 0, S2 = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        S0 += w(k);
+        S1 += w(k) * (x[k] - at);
+        S2 += w(k) * (x[k] - at) * (x[k] - at);
+    }
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const bool inside = k >= mls.first() && k < mls.first() + mls.weights().size();
+        const double expected = w(k) * (S2 - S1 * (x[k] - at)) / (S0 * S2 - S1 * S1);
+        CHECK((inside ? mls.weights()[k - mls.first()] : 0) == Approx(expected).margin(1e-13));
+    }
+}
+
+TEST_CASE("least squares: places may come in any order", "[unit]") {
+    const auto x = scattered();
+    MovingLeastSquares in_order(x, 2), any_order(x, 2);
+    for (const double at : {9.0, 0.5, 4.0, 3.9, 9.9, 0.0}) {
+        MovingLeastSquares fresh(x, 2);
+        REQUIRE(fresh.fit(at, 1, 4));
+        REQUIRE(any_order.fit(at, 1, 4));
+        CHECK(any_order.first() == fresh.first());
+        CHECK(any_order.weights() == fresh.weights());
+    }
+}
+
+TEST_CASE("least squares: a window too narrow is widened to the nearest, and too few are told", "[unit]") {
+    const std::vector<double> x{0, 1, 2, 10, 11};
+    MovingLeastSquares mls(x, 1);
+    REQUIRE(mls.fit(9, 0.1, 3));
+    CHECK((mls.first() == 2 && mls.weights().size() == 3));  // 2, 10 and 11
+    CHECK(value(mls, x, 0) == Approx(1));
+    CHECK(value(mls, x, 1) == Approx(9));
+    CHECK_FALSE(mls.fit(9, 0.1, 6));
+    const std::vector<double> one_place(4, 2.0);
+    MovingLeastSquares coincident(one_place, 1);
+    CHECK_FALSE(coincident.fit(2, 1, 2));  // no slope to be had
+}
