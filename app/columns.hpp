@@ -1,5 +1,5 @@
 #pragma once
-// Columns of numbers with 17 digits, as CSV or JSON.
+// Columns of numbers with 17 digits and of names, as CSV or JSON.
 #include <string>
 #include <vector>
 
@@ -8,6 +8,7 @@ namespace ordo::app {
 struct Column {
     std::string name;
     std::vector<double> values;
+    std::vector<std::string> words = {};  ///< in place of values: names of letters, digits and _
 };
 
 /// "csv": a head line of names, then one line a row, empty where there is no value (NaN); "json": an array of objects,

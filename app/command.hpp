@@ -30,6 +30,7 @@ Command table_command();
 Command plot_command();
 Command oracle_command();
 Command solve_command();
+Command basis_command();
 Command completion_command(const std::vector<Command>& others);
 
 /// All sub-commands, in the order of `ordo --help`.

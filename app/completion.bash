@@ -2,7 +2,7 @@
 _ordo() {
     local word="${COMP_WORDS[COMP_CWORD]}" words
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve completion --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve basis completion --help --version" -- "$word")
         return
     fi
     case "${COMP_WORDS[1]}" in
@@ -11,9 +11,10 @@ _ordo() {
         check) words="--help --against --junit" ;;
         accept) words="--help --because --into --band" ;;
         table) words="--help --format" ;;
-        plot) words="--help --out --format" ;;
+        plot) words="--help --out --against --format" ;;
         oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;
         solve) words="--help --solver --t --set --out --format" ;;
+        basis) words="--help --basis --show --option --cells --margin --ppc --translate --stretch --plot --format" ;;
         *) words="" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")

@@ -1,7 +1,10 @@
 // ordo plot: a report as pictures.
 #include "reports/plot/plot.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <sstream>
 
 #include "app/arguments.hpp"
 #include "app/command.hpp"
@@ -9,14 +12,37 @@
 namespace ordo::app {
 namespace {
 
+/// The names between the commas of --against, each known and there once.
+std::vector<std::string> abscissae_of(const po::variables_map& options) {
+    const std::vector<std::string> known{"h", "work", "time"};
+    const std::string where = "ordo plot --against";
+    std::vector<std::string> names;
+    std::istringstream list(options["against"].as<std::string>() + ",");
+    for (std::string name; std::getline(list, name, ',');) {
+        if (std::ranges::find(known, name) == known.end())
+            throw InputError(where, "nothing is drawn against '" + name + "'" + did_you_mean(name, known));
+        if (std::ranges::find(names, name) != names.end()) throw InputError(where, "'" + name + "' stands twice");
+        names.push_back(name);
+    }
+    return names;
+}
+
+std::vector<reports::Figure> figures_against(const std::string& abscissa, const reports::Report& report,
+                                             reports::PlotFormat format) {
+    if (abscissa == "h") return reports::figures(report, format);
+    return reports::figures(report, format, abscissa == "time" ? reports::Cost::time : reports::Cost::work);
+}
+
 int draw_plot(const po::variables_map& options, const std::vector<std::string>& files) {
     using reports::PlotFormat;
     const auto format = format_of<PlotFormat>(
         options, {{"svg", PlotFormat::svg}, {"pdf", PlotFormat::pdf}, {"png", PlotFormat::png}}, "ordo plot");
+    const auto abscissae = abscissae_of(options);
     const auto report = reports::read_report(one_report(files, "ordo plot"));
-    const auto folder = options["out"].as<std::string>();
-    reports::check_writable(folder + "/.ordo");
-    for (const auto& file : reports::draw(report, folder, format)) std::cout << file << '\n';
+    std::vector<reports::Figure> all;
+    for (const auto& abscissa : abscissae)
+        std::ranges::move(figures_against(abscissa, report, format), std::back_inserter(all));
+    for (const auto& file : reports::draw(all, options["out"].as<std::string>(), format)) std::cout << file << '\n';
     return all_hold;
 }
 
@@ -27,12 +53,16 @@ Command plot_command() {
     // clang-format off
     options.add_options()
         ("out,o", po::value<std::string>()->value_name("DIR")->default_value("."), "folder of the pictures")
+        ("against", po::value<std::string>()->value_name("LIST")->default_value("h"),
+         "h (the refined mesh width or time step), work (counted), time (thread time of each run), or several: "
+         "h,work,time")
         ("format", po::value<std::string>()->value_name("NAME")->default_value("svg"), "svg, pdf or png");
     // clang-format on
     return {.name = "plot",
-            .about = "convergence plots of a report, with their gnuplot scripts",
-            .usage = "REPORT [-o DIR] [--format svg|pdf|png]",
-            .examples = {"ordo plot report.json -o figures --format pdf"},
+            .about = "convergence and error-against-cost plots of a report, with their gnuplot scripts",
+            .usage = "REPORT [-o DIR] [--against h|work|time] [--format svg|pdf|png]",
+            .examples = {"ordo plot report.json -o figures --format pdf",
+                         "ordo plot report.json -o figures --against work,time"},
             .options = options,
             .most_arguments = 1,
             .run = draw_plot};

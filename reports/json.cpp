@@ -194,7 +194,8 @@ Report report_from_json(const std::string& text, const std::string& where) {
         runs.push_back(run_from(item));
         if (runs.back().id != static_cast<int>(runs.size()) - 1)
             item.at("run").refuse("must be the place of the run in the list");
-        if (runs.size() <= seconds.size()) runs.back().seconds = number_or_nan(seconds[runs.size() - 1]);
+        const bool timed = runs.size() <= seconds.size();
+        runs.back().seconds = timed ? number_or_nan(seconds[runs.size() - 1]) : std::nan("");
     }
     return {studies::judged(study, std::move(runs)), provenance_from(provenance)};
 }

@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "reports/files.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -100,6 +101,23 @@ void draw_picture(const std::string& script, const std::string& picture) {
     fs::rename(part, picture, error);
     if (error)
         throw EnvironmentError(picture + ": gnuplot made no picture (" + error.message() + ")" + scripts_are_there);
+}
+
+std::vector<std::string> draw_with_script(const std::string& text, const std::string& picture) {
+    const std::string script = fs::path(picture).replace_extension(".gp").string();
+    check_writable(picture);
+    check_writable(script);
+    write_whole(script, text);
+    draw_picture(script, picture);
+    return {script, picture};
+}
+
+PlotFormat format_by_ending(const std::string& picture) {
+    const std::string ending = fs::path(picture).extension().string();
+    for (const auto format : {PlotFormat::svg, PlotFormat::pdf, PlotFormat::png}) {
+        if (ending == ending_of(format)) return format;
+    }
+    throw InputError(one_line(picture), "a picture's name must end in .svg, .pdf or .png");
 }
 
 std::string quoted(const std::string& text) {

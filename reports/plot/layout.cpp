@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "studies/engine/judge.hpp"
 
@@ -10,10 +11,6 @@ namespace ordo::reports {
 namespace {
 
 using namespace ordo::studies;
-
-bool drawable(double value) { return std::isfinite(value) && value > 0; }
-
-bool drawable(const Point& point) { return drawable(point.x) && drawable(point.y); }
 
 Point logarithm(const Point& point) { return {std::log10(point.x), std::log10(point.y)}; }
 
@@ -36,16 +33,7 @@ std::string legend_of(const Result& result, const Series& series, const std::vec
         if (fit->outcome.fit) orders += "; " + order_words(*fit->outcome.fit) + where;
         else refusals += "; no order (" + fit->outcome.refused + ")" + where;
     }
-    const auto with = [&](Status status) {
-        return std::ranges::count_if(series.runs, [&](int id) { return run_of(result, id).status == status; });
-    };
-    const auto off_the_axes = std::ranges::count_if(series.runs, [&](int id) {
-        return run_of(result, id).status == Status::ok && !drawable(run_of(result, id).error(key));
-    });
-    const std::string text = orders + counted(with(Status::diverged), "run", "runs", "diverged") +
-                             counted(with(Status::failed), "run", "runs", "failed") +
-                             counted(with(Status::timed_out), "run", "runs", "timed out") +
-                             counted(off_the_axes, "error", "errors", "zero or not finite") + refusals;
+    const std::string text = orders + missing_words(result, series, key) + refusals;
     return clipped(series.label, 50) + (text.empty() ? "" : ":" + text.substr(1));
 }
 
@@ -96,8 +84,9 @@ Interval at_least_wide(const Interval& range, double width) {
     return range.widened(std::max(0.0, 0.5 * (width - range.span())));
 }
 
-/// The box around the segments, wide enough for ticks: half a decade by two thirds.
+/// The box around the segments, wide enough for ticks: half a decade by two thirds. Any box where there are none.
 Box box_of(const std::vector<Segment>& segments) {
+    if (segments.empty()) return {{-1, 0}, {-1, 0}};
     Box box{nothing, nothing};
     for (const auto& [a, b] : segments) {
         for (const Point& point : {a, b}) {
@@ -155,17 +144,46 @@ std::vector<Triangle> triangles_of(const Result& result, const View& view, std::
     return triangles;
 }
 
+void set_ranges(Layout& layout, const Box& box) {
+    layout.x = power_of_ten(box.x.widened(0.06 * box.x.span()));
+    layout.y = power_of_ten(box.y.widened(0.06 * box.y.span()));
+}
+
 }  // namespace
+
+bool drawable(double value) { return std::isfinite(value) && value > 0; }
+
+bool drawable(const Point& point) { return drawable(point.x) && drawable(point.y); }
+
+std::string missing_words(const Result& result, const Series& series, const std::string& key) {
+    const auto with = [&](Status status) {
+        return std::ranges::count_if(series.runs, [&](int id) { return run_of(result, id).status == status; });
+    };
+    const auto off_the_axes = std::ranges::count_if(series.runs, [&](int id) {
+        return run_of(result, id).status == Status::ok && !drawable(run_of(result, id).error(key));
+    });
+    return counted(with(Status::diverged), "run", "runs", "diverged") +
+           counted(with(Status::failed), "run", "runs", "failed") +
+           counted(with(Status::timed_out), "run", "runs", "timed out") +
+           counted(off_the_axes, "error", "errors", "zero or not finite");
+}
 
 Layout layout_of(const Result& result, const View& view) {
     Layout layout;
     for (const Series* series : view.series) layout.curves.push_back(curve_of(result, view, *series));
     const auto segments = segments_of(layout.curves);
     layout.empty = segments.empty();
-    Box box = layout.empty ? Box{{-1, 0}, {-1, 0}} : box_of(segments);
+    Box box = box_of(segments);
     if (!layout.empty) layout.triangles = triangles_of(result, view, segments, box);
-    layout.x = power_of_ten(box.x.widened(0.06 * box.x.span()));
-    layout.y = power_of_ten(box.y.widened(0.06 * box.y.span()));
+    set_ranges(layout, box);
+    return layout;
+}
+
+Layout layout_of(std::vector<Curve> curves) {
+    Layout layout{.curves = std::move(curves), .triangles = {}, .x = {}, .y = {}, .solid = true};
+    const auto segments = segments_of(layout.curves);
+    layout.empty = segments.empty();
+    set_ranges(layout, box_of(segments));
     return layout;
 }
 

@@ -9,7 +9,7 @@
 
 namespace ordo::reports {
 
-/// One run of a curve. Only a finite, positive error can be drawn on logarithmic axes.
+/// One run of a curve. Only what is finite and positive both ways can be drawn on logarithmic axes.
 struct CurvePoint {
     Point at;
     bool drawn = false;
@@ -29,9 +29,20 @@ struct Layout {
     Interval x;
     Interval y;
     bool empty = false;  ///< nothing can be drawn
+    bool solid = false;  ///< the line that joins the points of a curve; dotted beside fitted lines
 };
 
-/// All in the units of the data, the triangles too.
+/// Finite and positive: it has a logarithm.
+bool drawable(double value);
+bool drawable(const Point& point);
+
+/// What a legend tells of the runs without an error to draw: "; 1 run diverged; 2 errors zero or not finite", or "".
+std::string missing_words(const studies::Result& result, const studies::Series& series, const std::string& key);
+
+/// Errors of one quantity against the refined resolution. All in the units of the data, the triangles too.
 Layout layout_of(const studies::Result& result, const View& view);
+
+/// These curves joined by solid lines, without triangles.
+Layout layout_of(std::vector<Curve> curves);
 
 }  // namespace ordo::reports

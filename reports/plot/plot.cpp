@@ -5,6 +5,7 @@
 
 #include "reports/files.hpp"
 #include "reports/plot/script.hpp"
+#include "solvers/solver.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -12,10 +13,27 @@ namespace {
 namespace fs = std::filesystem;
 
 /// "study-displacement.rms-h" with the characters of plain file names only.
-std::string file_name(const studies::Study& study, const View& view) {
-    std::string name = study.name + "-" + view.quantity.key() + "-" + view.abscissa;
+std::string file_name(const studies::Study& study, const studies::Quantity& quantity, const std::string& abscissa) {
+    std::string name = study.name + "-" + quantity.key() + "-" + abscissa;
     std::ranges::replace(name, '/', '_');
     return safe_path(name);
+}
+
+std::string abscissa_words(const studies::Study& study, const std::string& abscissa) {
+    if (abscissa != "h") return "time step dt [s]";
+    return study.solvers.empty() ? "mesh width h [m]" : solvers::solver_named(study.solvers.front().name, "").width;
+}
+
+bool has_hollow(const Curve& curve) {
+    return std::ranges::any_of(curve.points, [](const CurvePoint& point) { return point.drawn && !point.used; });
+}
+
+Words convergence_words(const studies::Result& result, const View& view, const Layout& layout) {
+    Words words = words_of(result, view.quantity);
+    words.abscissa = abscissa_words(result.study, view.abscissa);
+    words.legend = "observed order [95 % interval]";
+    if (std::ranges::any_of(layout.curves, has_hollow)) words.legend += "; hollow points are outside the fit";
+    return words;
 }
 
 }  // namespace
@@ -23,26 +41,44 @@ std::string file_name(const studies::Study& study, const View& view) {
 std::vector<Figure> figures(const Report& report, PlotFormat format) {
     std::vector<Figure> all;
     for (const auto& view : views_of(report.result)) {
-        const std::string name = file_name(report.result.study, view);
-        all.push_back({name, script_of(report.result, view, format, name + ending_of(format))});
+        const std::string name = file_name(report.result.study, view.quantity, view.abscissa);
+        const Layout layout = layout_of(report.result, view);
+        const Words words = convergence_words(report.result, view, layout);
+        all.push_back({name, script_of(layout, words, format, name + ending_of(format))});
     }
     return all;
 }
 
-std::vector<std::string> draw(const Report& report, const std::string& folder, PlotFormat format) {
-    std::vector<std::string> scripts;
-    for (const auto& figure : figures(report, format)) {
-        const std::string path = (fs::path(folder) / (figure.name + ".gp")).string();
-        check_writable(path);
-        write_whole(path, figure.script);
-        scripts.push_back(path);
+std::vector<Figure> figures(const Report& report, PlotFormat format, Cost cost) {
+    refuse_without(report.result, cost);
+    std::vector<Figure> all;
+    for (const auto& quantity : report.result.study.measure.quantities) {
+        const std::string name = file_name(report.result.study, quantity, text_of(cost));
+        const Layout layout = layout_of(report.result, quantity, cost);
+        const Words words = cost_words(report, quantity, cost);
+        all.push_back({name, script_of(layout, words, format, name + ending_of(format))});
     }
+    return all;
+}
+
+std::vector<std::string> draw(const std::vector<Figure>& figures, const std::string& folder, PlotFormat format) {
+    std::vector<std::string> scripts;
+    check_writable((fs::path(folder) / ".ordo").string());
+    for (const auto& figure : figures) {
+        scripts.push_back((fs::path(folder) / (figure.name + ".gp")).string());
+        check_writable(scripts.back());
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i) write_whole(scripts[i], figures[i].script);
     std::vector<std::string> files = scripts;
     for (const auto& script : scripts) {
         files.push_back(fs::path(script).replace_extension(ending_of(format)).string());
         draw_picture(script, files.back());
     }
     return files;
+}
+
+std::vector<std::string> draw(const Report& report, const std::string& folder, PlotFormat format) {
+    return draw(figures(report, format), folder, format);
 }
 
 }  // namespace ordo::reports

@@ -1,8 +1,9 @@
 #pragma once
-// Convergence plots by gnuplot, from a report.
+// Diagrams by gnuplot, from a report: errors against the refined resolution, and against what they cost.
 #include <string>
 #include <vector>
 
+#include "reports/plot/cost.hpp"
 #include "reports/plot/gnuplot.hpp"
 #include "reports/report.hpp"
 
@@ -18,8 +19,16 @@ struct Figure {
 /// with the expected order, slope and interval in the legend.
 std::vector<Figure> figures(const Report& report, PlotFormat format);
 
-/// Writes NAME.gp and has gnuplot draw NAME.svg, .pdf or .png beside it; returns the files made. Throws
-/// EnvironmentError when gnuplot is missing or fails; the .gp files are then there all the same.
+/// One log-log figure for each quantity, all series in it: error over the cost of the run, points joined from coarse to
+/// fine. Throws InputError when runs ended and none of them has a cost above zero.
+std::vector<Figure> figures(const Report& report, PlotFormat format, Cost cost);
+
+/// Writes NAME.gp of each figure and has gnuplot draw NAME.svg, .pdf or .png beside it; returns the files made. Throws
+/// InputError when the folder cannot be written into, EnvironmentError when gnuplot is missing or fails; the .gp files
+/// are then there all the same.
+std::vector<std::string> draw(const std::vector<Figure>& figures, const std::string& folder, PlotFormat format);
+
+/// The same of the convergence plots of a report.
 std::vector<std::string> draw(const Report& report, const std::string& folder, PlotFormat format);
 
 }  // namespace ordo::reports

@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "reports/files.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -19,14 +18,6 @@ constexpr const char* legend_above = "set key at graph 1,1.14 right top horizont
 constexpr const char* inside_legend = "set key at graph 0.99,0.98 right top horizontal maxrows 3 font ',7'\n";
 constexpr int panel_height = 230;  // px
 constexpr int heading_height = 70;
-
-PlotFormat format_by_ending(const std::string& picture) {
-    const std::string ending = fs::path(picture).extension().string();
-    for (const auto format : {PlotFormat::svg, PlotFormat::pdf, PlotFormat::png}) {
-        if (ending == ending_of(format)) return format;
-    }
-    throw InputError(one_line(picture), "a picture's name must end in .svg, .pdf or .png");
-}
 
 /// Place and components; an empty line, which breaks the lines, where a component has no value.
 std::string rows(const Profile& profile, const Panel& panel) {
@@ -94,12 +85,7 @@ std::vector<std::string> draw(const Profile& profile, const std::string& picture
     const PlotFormat format = format_by_ending(picture);
     const auto [low, high] = std::ranges::minmax(profile.places);
     if (!(low < high)) throw InputError(one_line(picture), "a picture needs two different places at least");
-    const std::string script = fs::path(picture).replace_extension(".gp").string();
-    check_writable(picture);
-    check_writable(script);
-    write_whole(script, script_of(profile, format, fs::path(picture).filename().string()));
-    draw_picture(script, picture);
-    return {script, picture};
+    return draw_with_script(script_of(profile, format, fs::path(picture).filename().string()), picture);
 }
 
 }  // namespace ordo::reports

@@ -8,7 +8,6 @@
 
 #include "core/text.hpp"
 #include "reports/plot/ticks.hpp"
-#include "solvers/solver.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -56,13 +55,6 @@ std::string triangle_label(const Triangle& triangle) {
                        shortest(middle), at_right ? "left" : "right", at_right ? "0.7" : "-0.7");
 }
 
-std::string abscissa_words(const studies::Study& study, const std::string& abscissa) {
-    if (abscissa != "h") return "time step dt [s]";
-    return study.solvers.empty() ? "mesh width h [m]" : solvers::solver_named(study.solvers.front().name, "").width;
-}
-
-bool stands_hollow(const CurvePoint& point) { return point.drawn && !point.used; }
-
 /// Columns and rows of the legend; two columns where all entries are short.
 struct Legend {
     std::size_t columns = 1;
@@ -77,42 +69,38 @@ Legend legend_shape(const Layout& layout) {
 }
 
 /// The legend stands below the axes, where it hides no data.
-std::string legend_settings(const Layout& layout, const Legend& legend) {
-    const auto has_hollow = [](const Curve& curve) { return std::ranges::any_of(curve.points, stands_hollow); };
-    std::string heading = "observed order [95 % interval]";
-    if (std::ranges::any_of(layout.curves, has_hollow)) heading += "; hollow points are outside the fit";
+std::string legend_settings(const std::string& heading, const Legend& legend) {
     return fmt::format(
         "set bmargin {:.1f}\nset key at screen 0.02,0.012 left bottom vertical maxrows {} Left reverse "
-        "noenhanced samplen 2.5 spacing 1.15 title '{}' noenhanced left\n",
-        5.2 + 1.2 * static_cast<double>(legend.rows), legend.rows, heading);
+        "noenhanced samplen 2.5 spacing 1.15 title {} noenhanced left\n",
+        5.2 + 1.2 * static_cast<double>(legend.rows), legend.rows, quoted(clipped(heading, widest_legend)));
 }
 
-std::string settings(const studies::Result& result, const View& view, const Layout& layout, const Legend& legend) {
-    const std::string words = error_words(view.quantity);
-    std::string text = "set tmargin 4.5\n" + legend_settings(layout, legend);
-    text += "set title " + quoted(clipped(result.study.name, 80)) + " noenhanced font ',15' offset 0,1\n";
-    text += "set label " + quoted(words + " " + time_words(result, view.quantity)) +
-            " at graph 0.5,1.045 center noenhanced textcolor '#555555'\n";
-    text += "set xlabel " + quoted(abscissa_words(result.study, view.abscissa)) + " noenhanced\n";
-    text += "set ylabel " + quoted(words + unit_words(view.quantity)) + " noenhanced\n";
+std::string settings(const Words& words, const Layout& layout, const Legend& legend) {
+    std::string text = "set tmargin 4.5\n" + legend_settings(words.legend, legend);
+    text += "set title " + quoted(clipped(words.title, 80)) + " noenhanced font ',15' offset 0,1\n";
+    text += "set label " + quoted(words.subtitle) + " at graph 0.5,1.045 center noenhanced textcolor '#555555'\n";
+    text += "set xlabel " + quoted(words.abscissa) + " noenhanced\n";
+    text += "set ylabel " + quoted(words.ordinate) + " noenhanced\n";
     text += "set logscale xy\n";
     text += "set xrange [" + shortest(layout.x.low) + ":" + shortest(layout.x.high) + "]\n";
     text += "set yrange [" + shortest(layout.y.low) + ":" + shortest(layout.y.high) + "]\n";
     text += "set xtics " + log_ticks(layout.x) + "\nset ytics " + log_ticks(layout.y) + "\n";
     text += "set grid xtics ytics linetype 1 linecolor '#cccccc' linewidth 0.6\n";
     for (const auto& triangle : layout.triangles) text += triangle_label(triangle);
-    if (layout.empty) text += "set label 'no run has a finite, positive error' at graph 0.5,0.5 center\n";
+    if (layout.empty) text += "set label " + quoted(words.nothing) + " at graph 0.5,0.5 center\n";
     return text;
 }
 
-/// What is plotted for one series: the dotted connection, fitted lines, markers (hollow where no fit used the run), and
-/// the entry of the legend.
-void add_curve(std::vector<std::string>& plots, const Curve& curve, std::size_t i) {
+/// What is plotted for one series: the connection (dotted or solid), fitted lines, markers (hollow where no fit used
+/// the run), and the entry of the legend.
+void add_curve(std::vector<std::string>& plots, const Curve& curve, std::size_t i, bool solid) {
     const std::string colour = fmt::format("linecolor '{}'", colours[i % colours.size()]);
     const auto [filled, hollow] = shapes[i % shapes.size()];
     const std::string points = fmt::format("$points{}", i);
     if (std::ranges::any_of(curve.points, &CurvePoint::drawn)) {
-        plots.push_back(points + " using 1:2 with lines linewidth 1 dashtype 3 " + colour + " notitle");
+        plots.push_back(points + " using 1:2 with lines linewidth 1 dashtype " + (solid ? "1 " : "3 ") + colour +
+                        " notitle");
         for (std::size_t k = 0; k < curve.fits.size(); ++k) {
             plots.push_back(fmt::format("$fit{}_{} using 1:2 with lines linewidth 2 {} notitle", i, k, colour));
         }
@@ -125,7 +113,7 @@ void add_curve(std::vector<std::string>& plots, const Curve& curve, std::size_t 
         plots.push_back(markers(0, hollow));
     }
     plots.push_back(fmt::format("keyentry with {} linewidth 2 pointsize 1.1 pointtype {} {} title {}",
-                                curve.fits.empty() ? "points" : "linespoints", filled, colour,
+                                curve.fits.empty() && !solid ? "points" : "linespoints", filled, colour,
                                 quoted(clipped(curve.legend, widest_legend))));
 }
 
@@ -134,18 +122,27 @@ std::string plot_command(const Layout& layout) {
     for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
         plots.push_back(fmt::format("$triangle{} using 1:2 with lines linewidth 1 linecolor '#444444' notitle", i));
     }
-    for (std::size_t i = 0; i < layout.curves.size(); ++i) add_curve(plots, layout.curves[i], i);
+    for (std::size_t i = 0; i < layout.curves.size(); ++i) add_curve(plots, layout.curves[i], i, layout.solid);
     return "plot " + joined(plots, ", \\\n     ") + "\n";
 }
 
 }  // namespace
 
-std::string script_of(const studies::Result& result, const View& view, PlotFormat format, const std::string& picture) {
-    const Layout layout = layout_of(result, view);
+Words words_of(const studies::Result& result, const studies::Quantity& quantity) {
+    const std::string error = error_words(quantity);
+    return {.title = result.study.name,
+            .subtitle = error + " " + time_words(result, quantity),
+            .abscissa = "",
+            .ordinate = error + unit_words(quantity),
+            .legend = "",
+            .nothing = "no run has a finite, positive error"};
+}
+
+std::string script_of(const Layout& layout, const Words& words, PlotFormat format, const std::string& picture) {
     const Legend legend = legend_shape(layout);
     const int height = 580 + 20 * static_cast<int>(legend.rows);  // rows of the legend take nothing from the axes
     std::string text = opening(format, height, picture);
-    text += data_blocks(layout) + settings(result, view, layout, legend) + plot_command(layout);
+    text += data_blocks(layout) + settings(words, layout, legend) + plot_command(layout);
     return text + "unset output\n";
 }
 

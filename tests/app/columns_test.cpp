@@ -41,6 +41,18 @@ TEST_CASE("columns: what has no value is empty in CSV, what is not finite is nul
     for (const auto& row : studies::parse_json(columns_as("json", odd, "here"), "columns")) CHECK(row["a"].is_null());
 }
 
+TEST_CASE("columns: a column of names stands beside numbers", "[unit]") {
+    const std::vector<Column> named{{"basis", {}, {"linear", "cpdi"}}, {"x", {0, 0.5}}};
+    CHECK(columns_as("csv", named, "here") ==
+          "basis,x\n"
+          "linear,0.0000000000000000e+00\n"
+          "cpdi,5.0000000000000000e-01\n");
+    const auto rows = studies::parse_json(columns_as("json", named, "here"), "columns");
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[1]["basis"].get<std::string>() == "cpdi");
+    CHECK(rows[1]["x"].get<double>() == 0.5);
+}
+
 TEST_CASE("columns: no rows, and no columns", "[unit]") {
     CHECK(columns_as("csv", {{"a", {}}}, "here") == "a\n");
     CHECK(studies::parse_json(columns_as("json", {{"a", {}}}, "here"), "columns").empty());

@@ -11,7 +11,7 @@ using outside::Words;
 
 namespace {
 
-const Words sub_commands{"list", "run", "check", "accept", "table", "plot", "oracle", "solve", "completion"};
+const Words sub_commands{"list", "run", "check", "accept", "table", "plot", "oracle", "solve", "basis", "completion"};
 
 /// The lines behind "examples:", each cut at its blanks.
 std::vector<Words> examples_in(const std::string& help) {
@@ -46,7 +46,7 @@ TEST_CASE("cli: help names every sub-command, and each has its own with examples
 }
 
 TEST_CASE("cli: every example in the help works from the source folder", "[cli]") {
-    for (const char* name : {"", "list", "run", "oracle", "solve"}) {
+    for (const char* name : {"", "list", "run", "oracle", "solve", "basis"}) {
         const Folder folder;
         link_studies(folder);
         const std::string command(name);

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <regex>
-#include <sstream>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -15,35 +13,19 @@
 #include "reports/plot/triangle.hpp"
 #include "tests/app/process.hpp"
 #include "tests/catch.hpp"
+#include "tests/reports/plot/blocks.hpp"
 #include "tests/reports/sample.hpp"
 
 using namespace ordo;
 using namespace ordo::reports;
 using outside::Folder;
+using samples::block_of;
+using samples::numbers_of;
 using samples::sample;
 
 namespace {
 
 std::string script_of(const Report& report) { return figures(report, PlotFormat::svg).at(0).script; }
-
-/// The lines of a data block, "" where there is no such block.
-std::string block_of(const std::string& script, const std::string& name) {
-    const std::string head = "$" + name + " << EOD\n";
-    const auto begin = script.find(head);
-    if (begin == std::string::npos) return "";
-    return script.substr(begin + head.size(), script.find("EOD\n", begin + head.size()) - begin - head.size());
-}
-
-/// The numbers of a block, line by line; an empty line has none.
-std::vector<std::vector<double>> numbers_of(const std::string& block) {
-    std::vector<std::vector<double>> rows;
-    std::istringstream stream(block);
-    for (std::string line; std::getline(stream, line);) {
-        std::istringstream words(line);
-        rows.push_back({std::istream_iterator<double>(words), {}});
-    }
-    return rows;
-}
 
 double slope(const std::vector<double>& a, const std::vector<double>& b) {
     return std::log(b[1] / a[1]) / std::log(b[0] / a[0]);
