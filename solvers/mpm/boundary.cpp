@@ -13,26 +13,15 @@ template <int dim>
 void add_face(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, int axis, int side,
               Boundary<dim>& boundary) {
     std::array<std::vector<Stretch>, dim> line;
-    std::size_t total = 1;
     for (int other = 0; other < dim; ++other) {
         const double edge = scene.upper[other] - scene.lower[other];
         if (other == axis) line[other] = {{side == 0 ? 0 : edge, 1}};
         else line[other] = along_edge(options, resolution, edge);
-        total *= line[other].size();
     }
-    for (std::size_t k = 0; k < total; ++k) {
-        Vec<dim> X;
-        double area = 1;
-        std::size_t rest = k;
-        for (int other = 0; other < dim; ++other) {
-            const auto& [distance, length] = line[other][rest % line[other].size()];
-            rest /= line[other].size();
-            X[other] = scene.lower[other] + distance;
-            area *= length;
-        }
-        boundary.X.push_back(X);
-        boundary.area.push_back(area);
-    }
+    for_each_place<dim>(line, [&](const Vec<dim>& distance, const Vec<dim>& length) {
+        boundary.X.push_back(scene.lower + distance);
+        boundary.area.push_back(length.prod());
+    });
 }
 
 template <int dim>

@@ -33,8 +33,7 @@ private:
 };
 
 /// lumped       m_i
-/// consistent   M_ij = sum_p m_p S_ip S_jp, factored with the held nodes taken out. Banded by the numbering of the
-/// nodes:
+/// consistent   M_ij = sum_p m_p S_ip S_jp, factored with the held nodes taken out; banded as the nodes are numbered:
 ///              meant for one dimension, and for small grids in more
 /// fmpm         (1 + A + ... + A^(k-1)) / m with A = 1 - M / m, in place of the inverse of M.   [Nairn2021]
 template <int dim>

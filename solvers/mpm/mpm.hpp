@@ -46,6 +46,7 @@ public:
     Particles<dim>& particles() { return p_; }
     const Grid<dim>& grid() const { return grid_; }
     long crossings() const { return crossings_; }         ///< times a particle was found in a new cell
+    Vec<dim> momentum() const;                            ///< of the particles [kg m/s]
     const Vec<dim>& impulse() const { return impulse_; }  ///< of held faces and loads so far [kg m/s]
 
 private:
@@ -58,6 +59,7 @@ private:
     void hold_and_solve(double dt, double velocity_time);
     std::span<const double> held_velocity(double t);
     bool maps_before_kick() const;
+    bool takes_mapped_velocity() const { return options_.transfer != Transfer::flip; }
     const Points<dim>& points() const;
     const Stencils<dim>& point_stencils() const;
 
@@ -73,7 +75,6 @@ private:
     void strain_particles(double dt, Stress&& stress);
     template <class Change>
     void keep_momentum(Change&& change);
-    Vec<dim> momentum() const;
     /// Where stencils are taken.
     std::span<const Vec<dim>> places() const { return options_.frame == Frame::total ? p_.X : p_.x; }
 

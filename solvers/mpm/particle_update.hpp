@@ -53,12 +53,12 @@ void Mpm<dim>::mix_in_grid_velocity(double share) {
 /// The affine velocity field of each particle: from the functions (APIC, MLS-MPM) or from their gradients (TPIC).
 template <int dim>
 void Mpm<dim>::update_affine() {
+    if (options_.transfer == Transfer::tpic) {
+        for (std::size_t p = 0; p < p_.size(); ++p) p_.L[p] = gradient_at<dim>(stencils_, p, grid_.v);
+        return;
+    }
     const auto x = places();
     for (std::size_t p = 0; p < p_.size(); ++p) {
-        if (options_.transfer == Transfer::tpic) {
-            p_.L[p] = gradient_at<dim>(stencils_, p, grid_.v);
-            continue;
-        }
         Tensor<dim> B = Tensor<dim>::Zero();
         stencils_.row(p, [&](int i, double w, const Vec<dim>&) {
             B += w * grid_.v[static_cast<std::size_t>(i)] * (grid_.position(i) - x[p]).transpose();

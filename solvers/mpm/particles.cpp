@@ -22,22 +22,24 @@ std::vector<Seed> gauss_points(int count) {
     return points;
 }
 
+long cells_along(const Options& options, const Resolution& resolution, double edge) {
+    return options.cells_span_grid ? resolution.cells : std::lround(edge / resolution.h);
+}
+
 }  // namespace
+
+double count_along_edge(const Options& options, const Resolution& resolution, double edge) {
+    return std::round(resolution.ppc * static_cast<double>(cells_along(options, resolution, edge)));
+}
 
 std::vector<Stretch> along_edge(const Options& options, const Resolution& resolution, double edge) {
     std::vector<Stretch> line;
     if (options.placement == Placement::body_centred) {
-        const int cells =
-            options.cells_span_grid ? resolution.cells : static_cast<int>(std::lround(edge / resolution.h));
-        const long count = std::lround(resolution.ppc * cells);
-        for (long k = 0; k < count; ++k) {
-            const double n = static_cast<double>(count);
-            line.push_back({(static_cast<double>(k) + 0.5) / n * edge, edge / n});
-        }
+        const double count = count_along_edge(options, resolution, edge);
+        for (double k = 0; k < count; ++k) line.push_back({(k + 0.5) / count * edge, edge / count});
     } else {
-        const long cells = std::lround(edge / resolution.h);
         const auto cell = seeds(options.placement, static_cast<int>(resolution.ppc));
-        for (long c = 0; c < cells; ++c) {
+        for (long c = 0; c < cells_along(options, resolution, edge); ++c) {
             for (const auto& [xi, share] : cell)
                 line.push_back({(static_cast<double>(c) + xi) * resolution.h, share * resolution.h});
         }
@@ -54,27 +56,14 @@ template <int dim>
 void place(Particles<dim>& particles, const SolidScene<dim>& scene, const Options& options,
            const Resolution& resolution) {
     std::array<std::vector<Stretch>, dim> line;
-    std::size_t total = 1;
-    for (int axis = 0; axis < dim; ++axis) {
+    for (int axis = 0; axis < dim; ++axis)
         line[axis] = along_edge(options, resolution, scene.upper[axis] - scene.lower[axis]);
-        total *= line[axis].size();
-    }
-    for (std::size_t p = 0; p < total; ++p) {
-        Vec<dim> X;
-        Vec<dim> half;
-        std::size_t rest = p;
-        for (int axis = 0; axis < dim; ++axis) {
-            const auto& [distance, length] = line[axis][rest % line[axis].size()];
-            rest /= line[axis].size();
-            X[axis] = scene.lower[axis] + distance;
-            half[axis] = 0.5 * length;
-        }
-        const double volume = (2 * half).prod();
-        particles.X.push_back(X);
-        particles.half.push_back(half);
-        particles.volume.push_back(volume);
-        particles.m.push_back(scene.rho * volume);
-    }
+    for_each_place<dim>(line, [&](const Vec<dim>& distance, const Vec<dim>& length) {
+        particles.X.push_back(scene.lower + distance);
+        particles.half.push_back(0.5 * length);
+        particles.volume.push_back(length.prod());
+        particles.m.push_back(scene.rho * particles.volume.back());
+    });
 }
 
 /// Position, F, stress and volume of a body that starts deformed.
@@ -102,8 +91,7 @@ std::vector<Vec<dim>> corners_of(const Particles<dim>& particles, bool undeforme
     std::vector<Vec<dim>> corners;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         for (int k = 0; k < 1 << dim; ++k) {
-            Vec<dim> to_corner = particles.half[p];
-            for (int axis = 0; axis < dim; ++axis) to_corner[axis] *= (k >> axis & 1) == 0 ? -1 : 1;
+            Vec<dim> to_corner = particles.half[p].cwiseProduct(corner_signs<dim>(k));
             if (!undeformed && !particles.F.empty()) to_corner = particles.F[p] * to_corner;
             corners.push_back((undeformed ? particles.X[p] : particles.x[p]) + to_corner);
         }

@@ -1,5 +1,6 @@
 #pragma once
 // The particles: one array a field, and how they are seeded.
+#include <array>
 #include <vector>
 
 #include "solvers/mpm/grid.hpp"
@@ -19,6 +20,34 @@ struct Stretch {
     double length;
 };
 std::vector<Stretch> along_edge(const Options& options, const Resolution& resolution, double edge);
+double count_along_edge(const Options& options, const Resolution& resolution, double edge);  ///< of them
+
+/// visit(distance, length) for each place that one stretch an axis makes, axis 0 fastest.
+template <int dim, class Visit>
+void for_each_place(const std::array<std::vector<Stretch>, dim>& line, Visit&& visit) {
+    std::size_t total = 1;
+    for (const auto& stretches : line) total *= stretches.size();
+    for (std::size_t k = 0; k < total; ++k) {
+        Vec<dim> distance;
+        Vec<dim> length;
+        std::size_t rest = k;
+        for (int axis = 0; axis < dim; ++axis) {
+            const Stretch& stretch = line[axis][rest % line[axis].size()];
+            rest /= line[axis].size();
+            distance[axis] = stretch.distance;
+            length[axis] = stretch.length;
+        }
+        visit(distance, length);
+    }
+}
+
+/// +1 or -1 along each axis for corner k of a box, axis 0 fastest.
+template <int dim>
+Vec<dim> corner_signs(int k) {
+    Vec<dim> sign;
+    for (int axis = 0; axis < dim; ++axis) sign[axis] = (k >> axis & 1) == 0 ? -1 : 1;
+    return sign;
+}
 
 /// Points that carry mass, momentum and stress to the grid: the particles, or what a reconstruction puts in their
 /// place.

@@ -1,6 +1,5 @@
 // The door of MPM: from declared values to a running, typed simulation.
 #include <cmath>
-#include <type_traits>
 
 #include "solvers/mpm/mpm.hpp"
 
@@ -18,7 +17,7 @@ public:
           rho_(scene.rho),
           dt_(resolution.dt),
           mpm_(scene, options, resolution, asked("strain")),
-          momentum_(momentum()) {}
+          momentum_(mpm_.momentum()) {}
 
     void advance_to(double t, const Interrupt& interrupt) override {
         in_equal_steps(t_, t, dt_, interrupt, [&](double now, double dt) {
@@ -53,14 +52,13 @@ public:
     }
 
     /// Mass: what the grid gathered in the last step against the particles'. Momentum: its change against the impulse
-    /// of held faces and body force, relative to the sum of m |v|, the
-    /// impulse and the sum of m |u| / t.
+    /// of held faces and loads, relative to the sum of m |v|, the impulse and the sum of m |u| / t.
     std::vector<Figure> drift() const override {
         double on_grid = 0;
         double mass = 0;
         for (const double m : mpm_.grid().m) on_grid += m;
         for (const double m : mpm_.particles().m) mass += m;
-        const Vec<dim> change = momentum() - momentum_;
+        const Vec<dim> change = mpm_.momentum() - momentum_;
         const double scale = moving() + mpm_.impulse().norm() + travelled();
         return {{"mass", steps_ == 0 ? 0 : std::abs(on_grid - mass) / mass},
                 {"momentum", scale == 0 ? 0 : (change - mpm_.impulse()).norm() / scale}};
@@ -97,13 +95,6 @@ private:
             field.values.insert(field.values.end(), value.data(), value.data() + components);
         }
         return field;
-    }
-
-    Vec<dim> momentum() const {
-        const auto& p = mpm_.particles();
-        Vec<dim> sum = Vec<dim>::Zero();
-        for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * p.v[i];
-        return sum;
     }
 
     /// Sum of m |u| / t: what swings is not judged by the moment when it turns.
@@ -193,7 +184,7 @@ Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
         const Resolution fine = resolution_from(solid, chosen, resolution);
         double points = 1;
         for (int axis = 0; axis < dim; ++axis)
-            points *= static_cast<double>(along_edge(chosen, fine, solid.upper[axis] - solid.lower[axis]).size());
+            points *= count_along_edge(chosen, fine, solid.upper[axis] - solid.lower[axis]);
         return Plan{.h = fine.h, .dt = fine.dt, .points = points};
     });
 }

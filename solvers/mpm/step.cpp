@@ -1,4 +1,5 @@
-// A step and its passes up to the kick. A switch stands between passes, never inside a loop. Read mpm.hpp first.
+// A step and its passes up to the kick. What a run has chosen is asked between passes, or is one branch of a loop that
+// never turns; there is no call through a pointer, no allocation and no string in a loop. Read mpm.hpp first.
 #include <algorithm>
 #include <string>
 
@@ -73,7 +74,7 @@ void Mpm<dim>::synchronise(double t, double dt) {
 
 template <int dim>
 bool Mpm<dim>::maps_before_kick() const {
-    return !options_.separable() || options_.transfer != Transfer::flip || face_velocity_;
+    return !options_.separable() || takes_mapped_velocity() || face_velocity_;
 }
 
 template <int dim>
@@ -128,6 +129,7 @@ void Mpm<dim>::map_velocity(double velocity_time) {
     std::fill(grid_.v.begin(), grid_.v.end(), Vec<dim>::Zero());
     scatter<dim>(point_stencils(), points().m, points().v, grid_.v);
     if (options_.affine()) scatter_affine<dim>(grid_, stencils_, places(), p_.m, p_.L, grid_.v);
+    if (!takes_mapped_velocity()) return mass_.solve(grid_, grid_.v, held);
     f_ = grid_.v;
     mass_.solve(grid_, grid_.v, held);
     const auto* mapped = &grid_.v;

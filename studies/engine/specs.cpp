@@ -61,7 +61,8 @@ std::string text_of_point(const Point& point) {
     return text;
 }
 
-RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& point, const solvers::Scene& problem) {
+RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& point, const solvers::Scene& problem,
+                const Range& times) {
     const auto& solver = solvers::solver_named(choice.name, "");
     Given given;
     for (const auto& [name, value] : point) given.emplace(name, value);
@@ -81,7 +82,6 @@ RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& poi
     const double steps = study.measure.until == Until::steps ? study.measure.at : study.measure.at / spec.plan.dt;
     if (!(steps < most_steps)) throw InputError(where, "asks for more than " + shortest(most_steps) + " steps");
     spec.t_end = end_time(study.measure, spec.plan.dt);
-    const Range times = scene_named(study.scene.name, "").truth(study.scene.values).times;
     if (!times.contains(spec.t_end))
         throw InputError(
             where, "ends at t = " + shortest(spec.t_end) + ", but the exact solution holds for t " + times.text());
@@ -100,12 +100,14 @@ double end_time(const Measure& measure, double dt) {
 }
 
 std::vector<RunSpec> specs_of(const Study& study) {
-    const auto problem = scene_named(study.scene.name, "").problem(study.scene.values);
+    const auto& scene = scene_named(study.scene.name, "");
+    const auto problem = scene.problem(study.scene.values);
+    const Range times = scene.truth(study.scene.values).times;
     const auto points = points_of(study);
     std::vector<RunSpec> specs;
     for (const auto& choice : study.solvers) {
         for (const auto& point : points_for(solvers::solver_named(choice.name, ""), points)) {
-            specs.push_back(spec_of(study, choice, point, problem));
+            specs.push_back(spec_of(study, choice, point, problem, times));
             specs.back().id = static_cast<int>(specs.size()) - 1;
         }
     }

@@ -8,6 +8,7 @@
 
 #include "core/elastic_constants.hpp"
 #include "studies/engine/scene_entry.hpp"
+#include "studies/scenes/fields.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -20,10 +21,7 @@ solvers::Scene problem(const Values& values) {
     const double L = values.number("L");
     const double quarter_waves = free_end ? 2 * values.whole("mode") - 1 : 2 * values.whole("mode");
     const double v0 = values.number("v0");
-    const auto sine = [=](std::span<const Vec<1>> X, double, std::span<Vec<1>> v) {
-        for (std::size_t i = 0; i < X.size(); ++i)
-            v[i][0] = v0 * std::sin(quarter_waves * std::numbers::pi / 2 * X[i][0] / L);
-    };
+    const auto sine = [=](double X, double) { return v0 * std::sin(quarter_waves * std::numbers::pi / 2 * X / L); };
     return solvers::SolidScene<1>{
         .lower = Vec<1>(0.0),
         .upper = Vec<1>(L),
@@ -31,8 +29,7 @@ solvers::Scene problem(const Values& values) {
         .law = solvers::make_law(values.word("law"),
                                  {.lambda = 0, .mu = youngs_modulus(values, 100, "scene bar_vibration") / 2}),
         .faces = {{{Face::fixed, free_end ? Face::free : Face::fixed}}},
-        .velocity = sine,
-        .body_force = {}};
+        .velocity = along_x(sine)};
 }
 
 std::vector<Parameter> parameters() {

@@ -66,14 +66,6 @@ void add_corner(const Grid<dim>& grid, const Vec<dim>& corner, double share, con
     }
 }
 
-/// +1 or -1 along each axis for corner k of a box, axis 0 fastest.
-template <int dim>
-Vec<dim> corner_signs(int k) {
-    Vec<dim> sign;
-    for (int axis = 0; axis < dim; ++axis) sign[axis] = (k >> axis & 1) == 0 ? -1 : 1;
-    return sign;
-}
-
 /// CPDI: the box has become a parallelepiped of half edges R = F diag(half); each tent is replaced by its multilinear
 /// interpolation between the corners, whose mean gradient is R^-T sum_c sign_c N(x_c) / 2^dim.
 /// source [Sadeghirad2011]

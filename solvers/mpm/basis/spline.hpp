@@ -46,10 +46,9 @@ inline double greville(int i, int degree, int cells) {
     return sum / degree;
 }
 
-/// The tent of node 0 at r cells from it, its one-sided slope from the right, and its antiderivative from r = -1 on.
+/// The tent of node 0 at r cells from it, and its antiderivative from r = -1 on.
 struct Tent {
     static constexpr double value(double r) { return r <= -1 || r >= 1 ? 0 : r < 0 ? 1 + r : 1 - r; }
-    static constexpr double slope(double r) { return r < -1 || r >= 1 ? 0 : r < 0 ? 1 : -1; }
     static constexpr double integral(double r) {
         return r <= -1 ? 0 : r >= 1 ? 1 : r < 0 ? 0.5 * (1 + r) * (1 + r) : 1 - 0.5 * (1 - r) * (1 - r);
     }

@@ -8,9 +8,8 @@
 
 namespace ordo::solvers::mpm {
 
-/// Values and slopes (times h) of the functions along one axis that a point touches: those of the nodes first, first +
-/// 1,
-/// ... Arrays, or whatever has [] and size().
+/// Values and slopes (times h) of the functions along one axis that a point touches, those of the nodes from `first`
+/// on. Arrays, or whatever has [] and size().
 template <class Values, class Slopes = Values>
 struct AlongAxis {
     int first = 0;

@@ -73,9 +73,10 @@ void Reconstruction1D::place(const Grid<1>& grid, const Particles<1>& particles)
     if (auto* moving = std::get_if<MovingSampler>(&sampler_)) moving->prepare(layout, radius);
     if (auto* taylor = std::get_if<TaylorSampler>(&sampler_)) taylor->prepare(layout, stretches_);
     if (at_nodes_) {
-        node_v.resize(static_cast<std::size_t>(grid.nodes()));
-        for (int i = 0; i < grid.nodes(); ++i) node_v[static_cast<std::size_t>(i)] = grid.position(i);
-        at_nodes_->prepare({numbers(particles.x), particles.volume, numbers(node_v)}, radius);
+        nodes_.clear();
+        for (int i = 0; i < grid.nodes(); ++i) nodes_.push_back(grid.position(i)[0]);
+        node_v.resize(nodes_.size());
+        at_nodes_->prepare({numbers(particles.x), particles.volume, nodes_}, radius);
     }
 
     f_.resize(particles.size());

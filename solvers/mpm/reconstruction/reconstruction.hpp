@@ -52,6 +52,7 @@ private:
     std::optional<MovingSampler> at_nodes_;
     std::vector<Cell<1>> cell_;
     std::vector<TaylorSampler::Stretch> stretches_;
+    std::vector<double> nodes_;    ///< positions of the grid's nodes, where velocities are taken there
     std::vector<double> f_, rho_;  ///< scratch: a field of the particles; density at the points
 };
 

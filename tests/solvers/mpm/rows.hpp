@@ -14,6 +14,14 @@ struct Entry {
     Vec<dim> grad = Vec<dim>::Zero();
 };
 
+/// Four cells along each edge of the unit box, held all around.
+inline constexpr double quarter = 0.25;
+template <int dim>
+Grid<dim> unit_grid() {
+    SolidScene<dim> scene{.lower = Vec<dim>::Zero(), .upper = Vec<dim>::Ones(), .faces = all_faces<dim>(Face::fixed)};
+    return {scene, {}, {.cells = 4, .ppc = 1, .h = quarter, .dt = 1}};
+}
+
 /// What one point touches, node by node, and the sums that tell constants and linear fields.
 template <int dim>
 struct Row {

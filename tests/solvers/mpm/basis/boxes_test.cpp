@@ -13,13 +13,7 @@ using namespace ordo::solvers::mpm::test;
 
 namespace {
 
-constexpr double h = 0.25;
-
-template <int dim>
-Grid<dim> unit_grid() {
-    SolidScene<dim> scene{.lower = Vec<dim>::Zero(), .upper = Vec<dim>::Ones(), .faces = all_faces<dim>(Face::fixed)};
-    return {scene, {}, {.cells = 4, .ppc = 1, .h = h, .dt = 1}};
-}
+constexpr double h = quarter;
 
 /// N(z) and its antiderivative as in the literature, z in cells from the node.
 double N(double z) { return std::max(0.0, 1 - std::abs(z)); }

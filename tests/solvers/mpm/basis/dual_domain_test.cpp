@@ -11,13 +11,7 @@ using namespace ordo::solvers::mpm::test;
 
 namespace {
 
-constexpr double h = 0.25;
-
-template <int dim>
-Grid<dim> unit_grid() {
-    SolidScene<dim> scene{.lower = Vec<dim>::Zero(), .upper = Vec<dim>::Ones(), .faces = all_faces<dim>(Face::fixed)};
-    return {scene, {}, {.cells = 4, .ppc = 1, .h = h, .dt = 1}};
-}
+constexpr double h = quarter;
 
 /// The row of a point where material fills the grid up to the cell `last` along the first axis.
 template <int dim>
