@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "solvers/materials/law.hpp"
+#include "solvers/media/line.hpp"
 
 namespace ordo::solvers {
 
@@ -59,9 +60,10 @@ struct ScalarEquation {
 };
 
 /// Every kind of problem there is. A solver accepts some kinds and says so.
-using Scene = std::variant<SolidScene<1>, SolidScene<2>, SolidScene<3>, ScalarEquation>;
+using Scene = std::variant<SolidScene<1>, SolidScene<2>, SolidScene<3>, ScalarEquation, LineScene>;
 
-inline bool is_solid(const Scene& scene) { return !std::holds_alternative<ScalarEquation>(scene); }
+inline bool is_line(const Scene& scene) { return std::holds_alternative<LineScene>(scene); }
+inline bool is_solid(const Scene& scene) { return !is_line(scene) && !std::holds_alternative<ScalarEquation>(scene); }
 
 /// f(solid), with f a function template over the dimension. Throws std::logic_error for a scene of another kind.
 template <class F>

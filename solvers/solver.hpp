@@ -22,6 +22,11 @@ struct Snapshot {
     std::vector<double> weights;                  ///< volume that each point stands for now, n [m^dim]
     std::vector<double> weights_undeformed = {};  ///< and in the undeformed body; empty where no body deforms
     std::vector<Field> fields;                    ///< the fields that were asked for
+    /// Where the points are cells side by side on a line: their n + 1 rising borders [m]. Field values are then means
+    /// over the cells, `x` their middles. Empty elsewhere.
+    std::vector<double> edges = {};
+    /// Rise of each field across each cell, in the order of `fields`; empty where cells are uniform.
+    std::vector<Field> slopes = {};
 
     std::size_t points() const { return weights.size(); }
     const Field& field(const std::string& name) const;  ///< throws std::logic_error when it was not asked for
