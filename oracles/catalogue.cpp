@@ -10,6 +10,10 @@
 #include "oracles/blasts/sedov_nonlinear_elastic.hpp"
 #include "oracles/elastic_constants.hpp"
 #include "oracles/free_flight.hpp"
+#include "oracles/lines/density_pulse.hpp"
+#include "oracles/lines/elastic_end.hpp"
+#include "oracles/lines/gas_piston.hpp"
+#include "oracles/lines/shock_collision.hpp"
 #include "oracles/manufactured/axis_aligned_mms.hpp"
 #include "oracles/manufactured/bar_mms.hpp"
 #include "oracles/manufactured/periodic_bar_mms.hpp"
@@ -39,6 +43,10 @@ const std::vector<Oracle>& all_oracles() {
         riemann_gas(),
         riemann_linear_elastic(),
         riemann_nonlinear_elastic(),
+        shock_collision(),
+        gas_piston(),
+        elastic_end(),
+        density_pulse(),
         sedov(),
         sedov_nonlinear_elastic(),
         sedov_linear_elastic(),

@@ -24,6 +24,14 @@ struct Constant {
     std::variant<double, std::string, std::vector<Constants>> value;
 };
 
+/// A wave of an exact solution on a line: shocks and contacts are at one place, a fan lies between its two edges.
+struct Wave {
+    enum class Kind { shock, contact, fan };
+    Kind kind = Kind::shock;
+    double left = 0;   ///< [m]
+    double right = 0;  ///< [m]
+};
+
 /// An exact solution with its numbers filled in.
 struct Exact {
     /// All fields at n points in one call: x holds n x dim coordinates [m], t is the time [s], values receives
@@ -41,6 +49,8 @@ struct Exact {
     Sample sample;
     Sample averages{};  ///< means over n cells in 1D; x holds their n + 1 rising edges. Empty when it offers none
     std::function<std::vector<double>(double t)> jumps;  ///< where a field is discontinuous at time t (1D) [m]
+    std::function<std::vector<Wave>(double t)>
+        waves{};  ///< where its waves are at t, from left to right; empty: unknown
     std::function<Constants(std::optional<double> t)> constants{};  ///< empty when there are none
 
     std::size_t width() const;                                          ///< numbers a point

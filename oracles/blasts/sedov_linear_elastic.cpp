@@ -63,6 +63,13 @@ Constants constants_of(const SedovLinearElastic& blast, std::optional<double> t)
     return constants;
 }
 
+/// T is the same everywhere, so every jump is an acoustic one.
+std::vector<Wave> waves_of(const ElasticLine& line, double t) {
+    std::vector<Wave> waves;
+    for (const double x : line.jumps(t)) waves.push_back({Wave::Kind::shock, x, x});
+    return waves;
+}
+
 Exact bind(const Values& values) {
     const SedovLinearElastic blast{.L0 = values.number("L0"),
                                    .lambda_c = values.number("lambda_c"),
@@ -88,6 +95,7 @@ Exact bind(const Values& values) {
             .averages = [line = blast.line()](std::span<const double> edges, double t,
                                               std::span<double> values) { averages(line, edges, t, values); },
             .jumps = [line = blast.line()](double t) { return line.jumps(t); },
+            .waves = [line = blast.line()](double t) { return waves_of(line, t); },
             .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
 }
 

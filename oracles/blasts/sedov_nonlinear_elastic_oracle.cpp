@@ -85,6 +85,11 @@ Exact bind(const Values& values) {
                     const double r = solid.blast().front(t).r;
                     return std::vector{-r, r};
                 },
+            .waves =
+                [solid](double t) {
+                    const double r = solid.blast().front(t).r;
+                    return std::vector<Wave>{{Wave::Kind::shock, -r, -r}, {Wave::Kind::shock, r, r}};
+                },
             .constants = [solid, m2_min](std::optional<double> t) { return constants_of(solid, m2_min, t); }};
 }
 

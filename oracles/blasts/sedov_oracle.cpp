@@ -45,6 +45,15 @@ std::vector<double> jumps_of(const SedovBlast& blast, double t) {
     return {front.r};
 }
 
+/// The shock, and the core's edge, where gas touches nothing.
+std::vector<Wave> waves_of(const SedovBlast& blast, double t) {
+    const auto front = blast.front(t);
+    std::vector<Wave> waves;
+    if (blast.profiles().kind() == BlastKind::vacuum) waves.push_back({Wave::Kind::contact, front.core, front.core});
+    waves.push_back({Wave::Kind::shock, front.r, front.r});
+    return waves;
+}
+
 void sample(const SedovBlast& blast, std::span<const double> x, double t, std::span<double> values) {
     const auto front = blast.front(t);
     auto out = values.begin();
@@ -65,6 +74,7 @@ Exact bind(const Values& values) {
             .sample = [blast](std::span<const double> x, double t,
                               std::span<double> values) { sample(blast, x, t, values); },
             .jumps = [blast](double t) { return jumps_of(blast, t); },
+            .waves = [blast](double t) { return waves_of(blast, t); },
             .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
 }
 

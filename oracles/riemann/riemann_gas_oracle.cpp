@@ -1,4 +1,5 @@
 // riemann_gas as a line of the catalogue: declarations, constants, and how to fill in the numbers.
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -54,6 +55,31 @@ Constants constants_of(const RiemannGas& problem, std::optional<double> t) {
     return constants;
 }
 
+/// Its waves at time t; a vacuum's edge is one where the density jumps there: a contact between matter and nothing.
+std::vector<Wave> waves_of(const RiemannGas& problem, double t) {
+    std::vector<Wave> waves;
+    const auto add = [&](Wave::Kind kind, double one, double other) {
+        const auto [left, right] = std::minmax({problem.position(one, t), problem.position(other, t)});
+        waves.push_back({kind, left, right});
+    };
+    const auto jumps = problem.jumps(t);
+    for (const GasWave& wave : problem.waves()) {
+        switch (wave.kind) {
+            case GasWave::Kind::shock: add(Wave::Kind::shock, wave.head, wave.tail); break;
+            case GasWave::Kind::rarefaction: add(Wave::Kind::fan, wave.head, wave.tail); break;
+            case GasWave::Kind::contact:
+                if (std::ranges::find(jumps, problem.position(wave.head, t)) != jumps.end())
+                    add(Wave::Kind::contact, wave.head, wave.tail);
+                break;
+            case GasWave::Kind::vacuum:
+                if (problem.star().left.rho > 0) add(Wave::Kind::contact, wave.head, wave.head);
+                if (problem.star().right.rho > 0) add(Wave::Kind::contact, wave.tail, wave.tail);
+                break;
+        }
+    }
+    return waves;
+}
+
 /// gamma of one side: that of both, its own, or the default.
 double gamma_of(const Values& values, const std::string& own) {
     if (values.has("gamma") && values.has(own))
@@ -83,6 +109,7 @@ Exact bind(const Values& values) {
             .sample = along_a_line([problem](double x, double t) { return problem.at(x, t).row(); }),
             .averages = over_cells([problem](double a, double b, double t) { return problem.mean(a, b, t).row(); }),
             .jumps = [problem](double t) { return problem.jumps(t); },
+            .waves = [problem](double t) { return waves_of(problem, t); },
             .constants = [problem](std::optional<double> t) { return constants_of(problem, t); }};
 }
 

@@ -31,6 +31,7 @@ Exact bind(const Values& values) {
             .sample = along_a_line([problem](double x, double t) { return problem.fields(x, t); }),
             .averages = over_cells([problem](double a, double b, double t) { return problem.averages(a, b, t); }),
             .jumps = [problem](double t) { return problem.jumps(t); },
+            .waves = [problem](double t) { return problem.waves(t); },
             .constants = [problem](std::optional<double> t) { return problem.constants(t); }};
 }
 
@@ -92,6 +93,16 @@ std::vector<double> RiemannLinearElastic::jumps(double t) const {
         if (jumps_at(wave)) places.push_back(x0_ + speeds_[wave] * t);
     }
     return places;
+}
+
+std::vector<Wave> RiemannLinearElastic::waves(double t) const {
+    constexpr std::array kinds{Wave::Kind::shock, Wave::Kind::contact, Wave::Kind::shock};
+    std::vector<Wave> waves;
+    for (std::size_t wave = 0; wave < 3; ++wave) {
+        const double x = x0_ + speeds_[wave] * t;
+        if (jumps_at(wave)) waves.push_back({kinds[wave], x, x});
+    }
+    return waves;
 }
 
 Constants RiemannLinearElastic::constants(std::optional<double> t) const {

@@ -37,6 +37,7 @@ public:
     elastic::Row fields(double x, double t) const;              ///< elastic::fields()
     elastic::Row averages(double a, double b, double t) const;  ///< over a < x < b
     std::vector<double> jumps(double t) const;                  ///< where a field jumps
+    std::vector<Wave> waves(double t) const;  ///< the same with their kinds; both acoustic ones: shocks
     Constants constants(std::optional<double> t) const;
 
 private:

@@ -15,7 +15,7 @@ template <class Problem>
 Constants constants_of(const Problem& problem, double rho0, double x0, std::optional<double> t) {
     const auto& speeds = problem.speeds();
     std::vector<Constants> waves;
-    const auto add = [&](const Wave& wave, const std::string& side, double head, double tail) {
+    const auto add = [&](const elastic::Wave& wave, const std::string& side, double head, double tail) {
         if (wave.pressure_rise > 0) waves.push_back(wave_record("shock", side, head, x0, t));
         if (wave.pressure_rise < 0) waves.push_back(fan_record(side, head, tail, x0, t));
     };
@@ -49,6 +49,7 @@ Exact exact_of(const Values& values) {
             .sample = along_a_line([problem](double x, double t) { return problem->fields(x, t); }),
             .averages = over_cells([problem](double a, double b, double t) { return problem->averages(a, b, t); }),
             .jumps = [problem](double t) { return problem->jumps(t); },
+            .waves = [problem](double t) { return problem->waves(t); },
             .constants = [problem, rho0 = material.rho0,
                           x0](std::optional<double> t) { return constants_of(*problem, rho0, x0, t); }};
 }

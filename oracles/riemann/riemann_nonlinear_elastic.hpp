@@ -88,6 +88,18 @@ public:
         return places;
     }
 
+    /// Shocks, fans and the contact at time t, from left to right.
+    std::vector<Wave> waves(double t) const {
+        std::vector<Wave> list;
+        const auto add = [&](Wave::Kind kind, std::size_t left, std::size_t right) {
+            list.push_back({kind, x0_ + speeds_[left] * t, x0_ + speeds_[right] * t});
+        };
+        if (star_.left.pressure_rise != 0) add(left_fan_ ? Wave::Kind::fan : Wave::Kind::shock, 0, 1);
+        if (has_contact()) add(Wave::Kind::contact, 2, 2);
+        if (star_.right.pressure_rise != 0) add(right_fan_ ? Wave::Kind::fan : Wave::Kind::shock, 3, 4);
+        return list;
+    }
+
 private:
     elastic::Fan<M> fan(const elastic::Wave& wave, double T) const {
         return {material_, {wave.stretch.from, T}, wave.stretch.log};
