@@ -110,6 +110,11 @@ void list_norms() {
     line("l1", "sum w |e|");
     line("l2", "sqrt(sum w |e|^2)");
     line("linf", "max |e|");
+    std::cout << "  on cells l1 and l2 are integrals over them, and there are\n";
+    line("l1_fans", "integral of |e| over the middle half of every fan");
+    line("shock", "largest error of the place of a shock, where the field passes the middle of its sides [m]");
+    line("contact", "the same of contacts [m]");
+    line("fan_edge", "the same of the edges of fans, 5 % inside them [m]");
     std::cout << "  'over': 'maximum' takes the largest value over the ends of all steps; 'against': 'finest' the run "
                  "of smallest dt\n";
 }

@@ -41,7 +41,7 @@ Json series_json(const studies::Series& series) {
 }
 
 Json fit_json(const studies::SeriesFit& fit) {
-    Json json{{"series", fit.series}, {"quantity", fit.quantity}, {"where", fit.where}};
+    Json json{{"series", fit.series}, {"abscissa", fit.abscissa}, {"quantity", fit.quantity}, {"where", fit.where}};
     const auto put = [&](const char* name, double studies::OrderFit::*member) {
         json[name] = fit.outcome.fit ? number((*fit.outcome.fit).*member) : Json(nullptr);
     };

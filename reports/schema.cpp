@@ -4,6 +4,7 @@
 
 #include "solvers/solver.hpp"
 #include "studies/engine/scene_entry.hpp"
+#include "studies/engine/study.hpp"
 #include "studies/reader/json_input.hpp"
 
 namespace ordo::reports {
@@ -13,6 +14,10 @@ using studies::Json;
 
 const Json text{{"type", "string"}};
 const Json above_zero{{"type", "number"}, {"exclusiveMinimum", 0}};
+
+const Json abscissa{{"type", "string"},
+                    {"pattern", "^(h|dt|1/[A-Za-z_][A-Za-z0-9_]*)$"},
+                    {"description", "what an order is fitted against: h, dt, or one over a counter of work"}};
 
 Json one_or_list(const Json& item) {
     return {{"oneOf", {item, {{"type", "array"}, {"items", item}, {"minItems", 1}}}}};
@@ -98,10 +103,11 @@ Json measure_schema() {
     return object({{"at", above_zero},
                    {"until", words({"exact", "accumulated", "steps"})},
                    {"fields", one_or_list(words(fields))},
-                   {"norms", one_or_list(words({"rms", "l1", "l2", "linf"}))},
+                   {"norms", one_or_list(words(studies::norm_names()))},
                    {"over", words({"final", "maximum"})},
                    {"volume", words({"current", "undeformed"})},
-                   {"against", one_or_list(words({"exact", "finest"}))}},
+                   {"against", one_or_list(words({"exact", "finest"}))},
+                   {"orders_against", one_or_list(abscissa)}},
                   {"at", "fields"});
 }
 
@@ -110,6 +116,7 @@ Json expectation_schema() {
                         {"within", above_zero},
                         {"error_at_most", above_zero},
                         {"exact_within", above_zero},
+                        {"against", abscissa},
                         {"where", texts},
                         {"of", texts},
                         {"solver", texts},

@@ -26,9 +26,13 @@ std::string norm_words(Norm norm) {
         case Norm::rms: return "RMS";
         case Norm::l1: return "L1";
         case Norm::l2: return "L2";
-        case Norm::linf: break;
+        case Norm::linf: return "Linf";
+        case Norm::l1_fans: return "L1 (inside of fans)";
+        case Norm::shock: return "shocks";
+        case Norm::contact: return "contacts";
+        case Norm::fan_edge: break;
     }
-    return "Linf";
+    return "edges of the fans";
 }
 
 }  // namespace
@@ -57,8 +61,8 @@ std::vector<const studies::SeriesFit*> fits_along(const studies::Result& result,
     std::vector<const studies::SeriesFit*> fits;
     for (const auto& fit : result.fits) {
         // Two series of one label differ in their runs.
-        if (fit.series == series.label && fit.quantity == view.quantity.key() && std::ranges::all_of(fit.used, ours) &&
-            std::ranges::all_of(fit.left_out, ours, &studies::LeftOut::run)) {
+        if (fit.series == series.label && fit.abscissa == series.abscissa && fit.quantity == view.quantity.key() &&
+            std::ranges::all_of(fit.used, ours) && std::ranges::all_of(fit.left_out, ours, &studies::LeftOut::run)) {
             fits.push_back(&fit);
         }
     }
@@ -66,6 +70,8 @@ std::vector<const studies::SeriesFit*> fits_along(const studies::Result& result,
 }
 
 std::string error_words(const studies::Quantity& quantity) {
+    if (studies::is_place(quantity.norm))
+        return "error of the place of the " + norm_words(quantity.norm) + " in " + quantity.field;
     const std::string norm = (quantity.maximum ? "largest " : "") + norm_words(quantity.norm) +
                              (quantity.undeformed ? " (undeformed volumes)" : "");
     if (quantity.against == studies::Against::exact) return norm + " error of " + quantity.field;
@@ -73,12 +79,19 @@ std::string error_words(const studies::Quantity& quantity) {
 }
 
 std::string unit_words(const studies::Quantity& quantity) {
+    if (studies::is_place(quantity.norm)) return " [m]";
     const auto& fields = standard_fields();
     const auto field = std::ranges::find(fields, quantity.field, &FieldInfo::name);
     if (field == fields.end()) return "";
-    const std::string length = quantity.norm == Norm::l1 ? "m^dim" : quantity.norm == Norm::l2 ? "m^(dim/2)" : "";
+    const bool l1 = quantity.norm == Norm::l1 || quantity.norm == Norm::l1_fans;
+    const std::string length = l1 ? "m^dim" : quantity.norm == Norm::l2 ? "m^(dim/2)" : "";
     if (length.empty()) return " [" + field->unit + "]";
     return field->unit == "-" ? " [" + length + "]" : " [" + field->unit + " * " + length + "]";
+}
+
+std::string spoken(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
 }
 
 std::string time_words(const studies::Result& result, const studies::Quantity& quantity) {

@@ -10,8 +10,8 @@ namespace ordo::reports {
 /// One quantity along one abscissa. The pointers lead into the report, which must outlive the view.
 struct View {
     studies::Quantity quantity;
-    std::string abscissa;  ///< "h" or "dt"
-    std::string shown;     ///< the axis that a reader knows the abscissa by
+    std::string abscissa;  ///< "h", "dt" or "1/chop_outs"
+    std::string shown;     ///< the axis or counter that a reader knows the abscissa by
     std::vector<const studies::Series*> series;
 };
 
@@ -28,11 +28,15 @@ bool stopped(const studies::Run& run);
 std::vector<const studies::SeriesFit*> fits_along(const studies::Result& result, const View& view,
                                                   const studies::Series& series);
 
-/// "RMS error of displacement"
+/// "RMS error of displacement", "error of the place of the shocks in density"
 std::string error_words(const studies::Quantity& quantity);
 
-/// " [m]" after `error_words`; an integral norm has its power of the length in it: " [m * m^dim]". "" where unknown.
+/// " [m]" after `error_words`; an integral norm has its power of the length in it: " [m * m^dim]"; a
+/// place is in m. "" where unknown.
 std::string unit_words(const studies::Quantity& quantity);
+
+/// "cells_alive" as "cells alive".
+std::string spoken(std::string name);
 
 /// "at t = 0.499 s", from the runs that reached their end.
 std::string time_words(const studies::Result& result, const studies::Quantity& quantity);

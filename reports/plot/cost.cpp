@@ -21,10 +21,14 @@ bool lacks_cost(const Run& run, const std::string& key, Cost cost) {
     return !stopped(run) && drawable(run.error(key)) && !drawable(cost_of(run, cost));
 }
 
-/// "particle_steps" as "particle steps".
-std::string spoken(std::string unit) {
-    std::ranges::replace(unit, '_', ' ');
-    return unit;
+/// The series of the result, once each where a study fits them against several abscissae.
+std::vector<Series> lines_in(const Result& result) {
+    std::vector<Series> lines;
+    for (const auto& series : result.series) {
+        const auto same = [&](const Series& line) { return line.label == series.label && line.runs == series.runs; };
+        if (std::ranges::none_of(lines, same)) lines.push_back(series);
+    }
+    return lines;
 }
 
 /// What the runs of a series that stand in the diagram count, in the order of their names.
@@ -55,7 +59,7 @@ std::string costless_words(const Result& result, const Series& series, const std
     std::vector<std::string> places;
     for (const int id : series.runs) {
         const Run& run = run_of(result, id);
-        if (lacks_cost(run, key, cost)) places.push_back(shortest(run.axis(series.shown)));
+        if (lacks_cost(run, key, cost)) places.push_back(shortest(run.at(series.shown)));
     }
     if (places.empty()) return "";
     return fmt::format("; {} {} without {}: {} = {}", places.size(), places.size() == 1 ? "run" : "runs",
@@ -84,7 +88,7 @@ std::string counted_in(const Run& run) {
         return found == run.work.end() ? std::string() : found->name;
     };
     std::string unit = first([](const std::string& name) { return name.ends_with("_steps"); });
-    for (const char* plain : {"iterations", "steps"}) {
+    for (const char* plain : {"iterations", "chop_outs", "steps"}) {
         if (unit.empty()) unit = first([&](const std::string& name) { return name == plain; });
     }
     return unit;
@@ -111,7 +115,7 @@ Layout layout_of(const Result& result, const Quantity& quantity, Cost cost) {
     const std::string key = quantity.key();
     const bool mixed = cost == Cost::work && units_of(result, key).size() > 1;
     std::vector<Curve> curves;
-    for (const auto& series : result.series) curves.push_back(curve_of(result, series, key, cost, mixed));
+    for (const auto& series : lines_in(result)) curves.push_back(curve_of(result, series, key, cost, mixed));
     return layout_of(std::move(curves));
 }
 

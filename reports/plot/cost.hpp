@@ -14,7 +14,7 @@ enum class Cost { time, work };
 std::string text_of(Cost cost);
 
 /// Name of the figure in which a run counts its work: the first that ends in "_steps" (a particle or an element in one
-/// step), else "iterations", else "steps"; "" where it counts none of them.
+/// step), else "iterations", "chop_outs" or "steps"; "" where it counts none of them.
 std::string counted_in(const studies::Run& run);
 
 /// Thread time [s] or counted work; NaN where the run has none.

@@ -39,7 +39,7 @@ std::string legend_of(const Result& result, const Series& series, const std::vec
 
 /// Both ends of the fitted line: over the runs that the fit used and no further.
 std::array<Point, 2> ends_of(const Result& result, const View& view, const SeriesFit& fit) {
-    const auto abscissa = [&](int id) { return run_of(result, id).axis(view.abscissa); };
+    const auto abscissa = [&](int id) { return run_of(result, id).at(view.abscissa); };
     const auto line = [&](double x) {
         return Point{x, fit.outcome.fit->coefficient * std::pow(x, fit.outcome.fit->order)};
     };
@@ -53,7 +53,7 @@ Curve curve_of(const Result& result, const View& view, const Series& series) {
     Curve curve{legend_of(result, series, fits, key), {}, {}};
     for (const int id : series.runs) {
         const Run& run = run_of(result, id);
-        const Point at{run.axis(view.abscissa), run.error(key)};
+        const Point at{run.at(view.abscissa), run.error(key)};
         const auto uses = [&](const SeriesFit* fit) { return std::ranges::find(fit->used, id) != fit->used.end(); };
         curve.points.push_back({at, !stopped(run) && drawable(at), fits.empty() || std::ranges::any_of(fits, uses)});
     }
@@ -104,7 +104,8 @@ std::vector<const Series*> subjects_of(const Result& result, const View& view, c
         const auto speaks = [&](int id) {
             return speaks_of(expectation, view.quantity.key(), run_of(result, id).solver);
         };
-        const bool about_order = expectation.kind == Expectation::Kind::order && expectation.value != 0;
+        const bool about_order = expectation.kind == Expectation::Kind::order && expectation.value != 0 &&
+                                 speaks_along(expectation, view.abscissa);
         if (about_order && std::ranges::any_of(series->runs, speaks)) subjects.push_back(series);
     }
     return subjects;
@@ -117,7 +118,7 @@ double centre_of(const Result& result, const View& view, const std::vector<const
     for (const Series* series : subjects) {
         for (const SeriesFit* fit : fits_along(result, view, *series)) {
             if (fit->where != where || !fit->outcome.fit) continue;
-            for (const int id : fit->used) x.include(std::log10(run_of(result, id).axis(view.abscissa)));
+            for (const int id : fit->used) x.include(std::log10(run_of(result, id).at(view.abscissa)));
         }
     }
     const Interval& middle = x.low <= x.high ? x : box.x;

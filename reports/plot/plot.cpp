@@ -19,9 +19,23 @@ std::string file_name(const studies::Study& study, const studies::Quantity& quan
     return safe_path(name);
 }
 
-std::string abscissa_words(const studies::Study& study, const std::string& abscissa) {
-    if (abscissa != "h") return "time step dt [s]";
-    return study.solvers.empty() ? "mesh width h [m]" : solvers::solver_named(study.solvers.front().name, "").width;
+/// "h"; "h-delta" where solvers of one study refine widths of several kinds, which have a figure each.
+std::string abscissa_name(const std::vector<View>& views, const View& view) {
+    const auto rivals = [&](const View& other) {
+        return other.quantity == view.quantity && other.abscissa == view.abscissa && other.shown != view.shown;
+    };
+    return std::ranges::any_of(views, rivals) ? view.abscissa + "-" + view.shown : view.abscissa;
+}
+
+/// What h is, says the solver that refines it by the axis shown.
+std::string abscissa_words(const studies::Study& study, const View& view) {
+    const std::string counter = studies::counter_of(view.abscissa);
+    if (!counter.empty()) return "1 / " + spoken(counter) + ", as the solver counts [-]";
+    if (view.abscissa != "h") return "time step dt [s]";
+    if (study.solvers.empty()) return "mesh width h [m]";
+    const auto refines = [&](const studies::SolverChoice& choice) { return studies::width_axis(choice) == view.shown; };
+    const auto found = std::ranges::find_if(study.solvers, refines);
+    return solvers::solver_named((found == study.solvers.end() ? study.solvers.front() : *found).name, "").width;
 }
 
 bool has_hollow(const Curve& curve) {
@@ -30,7 +44,7 @@ bool has_hollow(const Curve& curve) {
 
 Words convergence_words(const studies::Result& result, const View& view, const Layout& layout) {
     Words words = words_of(result, view.quantity);
-    words.abscissa = abscissa_words(result.study, view.abscissa);
+    words.abscissa = abscissa_words(result.study, view);
     words.legend = "observed order [95 % interval]";
     if (std::ranges::any_of(layout.curves, has_hollow)) words.legend += "; hollow points are outside the fit";
     return words;
@@ -40,8 +54,9 @@ Words convergence_words(const studies::Result& result, const View& view, const L
 
 std::vector<Figure> figures(const Report& report, PlotFormat format) {
     std::vector<Figure> all;
-    for (const auto& view : views_of(report.result)) {
-        const std::string name = file_name(report.result.study, view.quantity, view.abscissa);
+    const auto views = views_of(report.result);
+    for (const auto& view : views) {
+        const std::string name = file_name(report.result.study, view.quantity, abscissa_name(views, view));
         const Layout layout = layout_of(report.result, view);
         const Words words = convergence_words(report.result, view, layout);
         all.push_back({name, script_of(layout, words, format, name + ending_of(format))});

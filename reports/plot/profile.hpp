@@ -27,8 +27,8 @@ struct Profile {
 std::string script_of(const Profile& profile, PlotFormat format, const std::string& picture);
 
 /// Writes `picture` (its ending says the format: .svg, .pdf or .png) and its script .gp beside it; returns both paths.
-/// Throws InputError on another ending, an unwritable path or a single place, EnvironmentError when gnuplot is missing or fails; the
-/// script is then there all the same.
+/// Throws InputError on another ending, an unwritable path or a single place, EnvironmentError when gnuplot is missing
+/// or fails; the script is then there all the same.
 std::vector<std::string> draw(const Profile& profile, const std::string& picture);
 
 }  // namespace ordo::reports

@@ -32,12 +32,15 @@ bool coarser(const Place& a, const Place& b) {
     return by_abscissa != 0 ? by_abscissa < 0 : a.repeat < b.repeat;
 }
 
+/// Of a run that did not count what is shown.
+bool is_none(const Place& place) { return std::isnan(place.shown) && std::isnan(place.abscissa); }
+
 /// The places of the series' runs, in the order of the runs.
 std::vector<Place> places_of(const Result& result, const Series& series) {
     std::vector<Place> places;
     for (const int id : series.runs) {
         const Run& run = run_of(result, id);
-        Place place{run.axis(series.shown), 0, run.axis(series.abscissa)};
+        Place place{run.at(series.shown), 0, run.at(series.abscissa)};
         while (std::ranges::find(places, place) != places.end()) ++place.repeat;
         places.push_back(place);
     }
@@ -49,6 +52,7 @@ std::vector<Place> rows_of(const Result& result, const View& view) {
     std::vector<Place> rows;
     for (const Series* series : view.series) {
         for (const Place& place : places_of(result, *series)) {
+            if (is_none(place)) continue;
             const auto found = std::ranges::find(rows, place);
             if (found == rows.end()) rows.push_back(place);
             else found->abscissa = std::max(found->abscissa, place.abscissa);
@@ -93,7 +97,7 @@ std::string order_text(const View& view, const Run* coarse, const Run& fine) {
     if (coarse == nullptr || stopped(*coarse) || stopped(fine)) return "-";
     const std::string key = view.quantity.key();
     const double order =
-        neighbour_order({coarse->axis(view.abscissa), coarse->error(key)}, {fine.axis(view.abscissa), fine.error(key)});
+        neighbour_order({coarse->at(view.abscissa), coarse->error(key)}, {fine.at(view.abscissa), fine.error(key)});
     return std::isfinite(order) ? decimal(order, 2) : "-";
 }
 
@@ -109,6 +113,7 @@ void add_series(Table& table, const Result& result, const View& view, const Seri
                 const std::vector<Place>& rows) {
     const auto printed = tables_beside(result, view, series);
     const auto places = places_of(result, series);
+    if (std::ranges::all_of(places, is_none)) return;
     table.groups.push_back(group_of(series, printed));
     const Run* coarser_run = nullptr;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -129,8 +134,13 @@ void add_series(Table& table, const Result& result, const View& view, const Seri
 
 std::string place_text(double shown) { return fmt::format("{:.8g}", shown); }
 
-std::string point_words(const Result& result, const Series& series, int run) {
-    return place_text(run_of(result, run).axis(series.shown));
+/// "64"; "none at delta = 0.001, ppc = 4" for a run that did not count what is shown.
+std::string point_words(const Result& result, const Series& series, int id) {
+    const Run& run = run_of(result, id);
+    if (!std::isnan(run.at(series.abscissa))) return place_text(run.at(series.shown));
+    std::vector<std::string> axes;
+    for (const auto& axis : run.axes) axes.push_back(axis.name + " = " + shortest(axis.value));
+    return "none at " + joined(axes);
 }
 
 /// "64, 128 (not where cells <= 32); 256 (diverged)": neighbours with one reason stand together.
@@ -199,6 +209,7 @@ Table table_of(const Result& result, const View& view) {
     const std::string unit = view.shown == "dt" ? " [s]" : view.shown == "h" ? " [m]" : "";
     Table table;
     table.title = error_words(view.quantity) + unit_words(view.quantity) + " " + time_words(result, view.quantity);
+    if (!counter_of(view.abscissa).empty()) table.title += ", order against " + view.abscissa;
     table.place_head = view.shown + unit;
     const auto rows = rows_of(result, view);
     for (const auto& place : rows) table.rows.push_back({place_text(place.shown), {}});

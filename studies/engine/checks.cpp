@@ -29,14 +29,20 @@ Verdict order_verdict(const Expectation& expectation, const SeriesFit& fit) {
     return sharp ? Verdict::pass : Verdict::inconclusive;
 }
 
+/// An order that no series can show fails.
 void check_orders(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
+    const std::string claim = fmt::format("order {} +- {}{}{}", expectation.value, expectation.within,
+                                          expectation.against.empty() ? "" : " against " + expectation.against,
+                                          range_text(expectation.where));
+    const std::size_t before = checks.size();
     for (const auto& fit : result.fits) {
         const auto& solver = run_of(result, fit.used.empty() ? fit.left_out.front().run : fit.used.front()).solver;
-        if (!speaks_of(expectation, fit.quantity, solver) || fit.where != text_of(expectation.where)) continue;
-        checks.push_back(
-            {fmt::format("order {} +- {}{}", expectation.value, expectation.within, range_text(expectation.where)),
-             fit.series + ": " + fit.quantity, expectation.source, order_verdict(expectation, fit), found_text(fit)});
+        const bool ours = speaks_of(expectation, fit.quantity, solver) && speaks_along(expectation, fit.abscissa);
+        if (!ours || fit.where != text_of(expectation.where)) continue;
+        checks.push_back({claim, fit.series + ": " + fit.quantity, expectation.source, order_verdict(expectation, fit),
+                          found_text(fit)});
     }
+    if (checks.size() == before) checks.push_back({claim, "all runs", expectation.source, Verdict::fail, "no series"});
 }
 
 bool admits(const Expectation& expectation, const Run& run) {
@@ -70,8 +76,9 @@ Check bound_check(const Result& result, const Expectation& expectation, const Se
 }
 
 void check_bounds(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
+    const auto lines = lines_of(result.study, result.runs);
     for (const auto& quantity : result.study.measure.quantities) {
-        for (const auto& series : result.series) {
+        for (const auto& series : lines) {
             const auto& solver = run_of(result, series.runs.front()).solver;
             if (speaks_of(expectation, quantity.key(), solver))
                 checks.push_back(bound_check(result, expectation, series, quantity));

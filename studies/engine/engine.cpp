@@ -78,7 +78,7 @@ std::vector<RunOutcome> outcomes_of(const std::vector<RunSpec>& specs, const Eng
 void compare_with_finest(const Study& study, std::vector<RunOutcome>& outcomes) {
     std::vector<Run> runs;
     for (const auto& outcome : outcomes) runs.push_back(outcome.run);
-    for (const auto& series : series_of(study, runs)) {
+    for (const auto& series : lines_of(study, runs)) {
         auto& reference = outcomes[static_cast<std::size_t>(series.runs.back())];
         if (reference.run.status == Status::ok) reference.run.status = Status::reference;
         for (const int id : series.runs) {

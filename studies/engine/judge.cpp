@@ -13,27 +13,29 @@ namespace {
 const Run& run_of(const std::vector<Run>& runs, int id) { return runs[static_cast<std::size_t>(id)]; }
 
 /// Why a fit leaves this run out; "" where it uses it. A NaN is not left out: the fit refuses it by name.
-std::string why_left_out(const Run& run, const std::vector<Condition>& where, const Quantity& quantity) {
+std::string why_left_out(const Run& run, const std::vector<Condition>& where, const Quantity& quantity,
+                         const std::string& abscissa) {
     for (const auto& condition : where) {
         if (!condition.holds(run.axis(condition.axis))) return "outside " + text_of(where);
     }
     if (run.status == Status::reference && quantity.against == Against::finest) return "it is the reference";
-    if (run.status == Status::ok || run.status == Status::reference) return "";
-    return text_of(run.status) + ": " + run.reason;
+    if (run.status != Status::ok && run.status != Status::reference) return text_of(run.status) + ": " + run.reason;
+    const std::string counter = counter_of(abscissa);
+    return counter.empty() || !std::isnan(run.at(counter)) ? "" : "it counts no '" + counter + "'";
 }
 
 SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vector<Condition>& where,
                  const std::vector<Run>& runs) {
-    SeriesFit fit{series.label, quantity.key(), text_of(where), {}, {}, {}};
+    SeriesFit fit{series.label, quantity.key(), text_of(where), {}, {}, {}, series.abscissa};
     std::vector<FitPoint> points;
     for (const int id : series.runs) {
         const Run& run = run_of(runs, id);
-        if (auto why = why_left_out(run, where, quantity); !why.empty()) {
+        if (auto why = why_left_out(run, where, quantity, series.abscissa); !why.empty()) {
             fit.left_out.push_back({id, std::move(why)});
             continue;
         }
         fit.used.push_back(id);
-        points.push_back({run.axis(series.abscissa), run.error(quantity.key())});
+        points.push_back({run.at(series.abscissa), run.error(quantity.key())});
     }
     fit.outcome = fit_order(std::move(points));
     return fit;
@@ -42,13 +44,13 @@ SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vect
 /// The ranges that orders are expected over; one range without limits where none is. What is expected to be exact has
 /// no order: its errors are round-off.
 std::vector<std::vector<Condition>> ranges_of(const Study& study, const std::string& quantity,
-                                              const std::string& solver) {
+                                              const std::string& solver, const std::string& abscissa) {
     std::vector<std::vector<Condition>> ranges;
     bool exact = false;
     for (const auto& expectation : study.expect) {
         if (!speaks_of(expectation, quantity, solver)) continue;
         exact = exact || expectation.kind == Expectation::Kind::exact_within;
-        if (expectation.kind != Expectation::Kind::order) continue;
+        if (expectation.kind != Expectation::Kind::order || !speaks_along(expectation, abscissa)) continue;
         const auto same = [&](const auto& range) { return text_of(range) == text_of(expectation.where); };
         if (std::none_of(ranges.begin(), ranges.end(), same)) ranges.push_back(expectation.where);
     }
@@ -94,6 +96,10 @@ bool speaks_of(const Expectation& expectation, const std::string& quantity, cons
     return admits(expectation.quantities, quantity) && admits(expectation.solvers, solver);
 }
 
+bool speaks_along(const Expectation& expectation, const std::string& abscissa) {
+    return expectation.against.empty() ? counter_of(abscissa).empty() : expectation.against == abscissa;
+}
+
 std::string as_printed(const std::string& printed, double value) {
     const auto exponent = printed.find_first_of("eE");
     const auto point = printed.find('.');
@@ -108,7 +114,7 @@ std::vector<SeriesFit> fits_of(const Study& study, const std::vector<Run>& runs,
     for (const auto& quantity : study.measure.quantities) {
         for (const auto& line : series) {
             const auto& solver = run_of(runs, line.runs.front()).solver;
-            for (const auto& range : ranges_of(study, quantity.key(), solver))
+            for (const auto& range : ranges_of(study, quantity.key(), solver, line.abscissa))
                 fits.push_back(fit_of(line, quantity, range, runs));
         }
     }

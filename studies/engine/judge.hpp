@@ -4,7 +4,10 @@
 
 namespace ordo::studies {
 
-/// Lines of refinement through the runs, as the sweep's path says, in the order of the runs.
+/// Lines of refinement through the runs, as the sweep's path says, in the order of the runs, each coarse to fine.
+std::vector<Series> lines_of(const Study& study, const std::vector<Run>& runs);
+
+/// These lines against the abscissae that the study asks for: the path's own, and counted work.
 std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs);
 
 /// A fit for each series, quantity and range that an order expectation names; over all runs where none does.
@@ -15,6 +18,9 @@ std::vector<PublishedMatch> matches_of(const Study& study, const std::vector<Run
 
 /// Whether an expectation is about this quantity of this solver.
 bool speaks_of(const Expectation& expectation, const std::string& quantity, const std::string& solver);
+
+/// Whether an order is expected along this abscissa: the one that it names, or any that is no counted work.
+bool speaks_along(const Expectation& expectation, const std::string& abscissa);
 
 /// The verdicts: every run ended, each expectation on each series, each published table.
 std::vector<Check> checks_of(const Result& result);

@@ -1,34 +1,15 @@
 #include "studies/engine/measure.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
+#include "studies/engine/cell_errors.hpp"
 #include "studies/engine/norm.hpp"
+#include "studies/engine/wave_places.hpp"
 
 namespace ordo::studies {
 namespace {
-
-/// The exact solution's fields at the snapshot's points.
-struct ExactValues {
-    const oracles::Exact& exact;
-    std::vector<double> rows;  ///< points x exact.width()
-
-    ExactValues(const oracles::Exact& truth, const solvers::Snapshot& shot)
-        : exact(truth), rows(shot.points() * truth.width()) {
-        exact.sample(exact.coordinates == oracles::Coordinates::material ? shot.X : shot.x, shot.t, rows);
-    }
-
-    std::vector<double> field(const std::string& name, int components) const {
-        const auto offset = exact.offset(name);
-        if (!offset) throw std::logic_error("the exact solution has no field '" + name + "'");
-        std::vector<double> values;
-        for (std::size_t row = *offset; row < rows.size(); row += exact.width()) {
-            const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(row);
-            values.insert(values.end(), begin, begin + components);
-        }
-        return values;
-    }
-};
 
 const std::vector<double>& weights_of(const Quantity& quantity, const solvers::Snapshot& shot) {
     if (!quantity.undeformed) return shot.weights;
@@ -36,19 +17,98 @@ const std::vector<double>& weights_of(const Quantity& quantity, const solvers::S
     return shot.weights_undeformed;
 }
 
+std::size_t offset_of(const oracles::Exact& exact, const std::string& field) {
+    const auto offset = exact.offset(field);
+    if (!offset) throw std::logic_error("the exact solution has no field '" + field + "'");
+    return *offset;
+}
+
+/// A snapshot against the exact solution at its points.
+class AtPoints {
+public:
+    AtPoints(const solvers::Snapshot& shot, const oracles::Exact& exact)
+        : shot_(shot), exact_(exact), rows_(shot.points() * exact.width()) {
+        exact.sample(exact.coordinates == oracles::Coordinates::material ? shot.X : shot.x, shot.t, rows_);
+    }
+
+    double error(const Quantity& quantity) const {
+        const Field& found = shot_.field(quantity.field);
+        std::vector<double> values;
+        for (std::size_t row = offset_of(exact_, quantity.field); row < rows_.size(); row += exact_.width()) {
+            const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(row);
+            values.insert(values.end(), begin, begin + found.components);
+        }
+        return error_norm(quantity.norm, found.values, values, weights_of(quantity, shot_), found.components);
+    }
+
+private:
+    const solvers::Snapshot& shot_;
+    const oracles::Exact& exact_;
+    std::vector<double> rows_;  ///< points x exact.width()
+};
+
+/// A field of a snapshot of cells, beside the exact solution.
+CellField cell_field(const Field& means, const solvers::Snapshot& shot, const oracles::Exact& exact) {
+    const std::size_t cells = shot.points();
+    CellField field{{shot.edges, means.values}, offset_of(exact, means.name)};
+    const auto rises = std::ranges::find(shot.slopes, means.name, &Field::name);
+    if (rises != shot.slopes.end()) field.found.rises = rises->values;
+    const bool one_each = means.components == 1 && means.values.size() == cells && shot.edges.size() == cells + 1 &&
+                          (field.found.rises.empty() || field.found.rises.size() == cells);
+    if (!one_each || cells == 0) throw std::logic_error("the field '" + means.name + "' is no scalar on cells");
+    return field;
+}
+
+/// A snapshot of cells against the exact solution all over them.
+class OverCells {
+public:
+    OverCells(const solvers::Snapshot& shot, const oracles::Exact& exact) : shot_(shot), exact_(exact) {
+        for (const auto& means : shot.fields) fields_.push_back(cell_field(means, shot, exact));
+        errors_ = cell_errors(fields_, exact, shot.t);
+    }
+
+    double error(const Quantity& quantity) const {
+        const auto found = std::ranges::find(shot_.fields, quantity.field, &Field::name);
+        const auto k = static_cast<std::size_t>(found - shot_.fields.begin());
+        switch (quantity.norm) {
+            case Norm::l1: return errors_.at(k).l1;
+            case Norm::l2: return errors_.at(k).l2;
+            case Norm::l1_fans: return errors_.at(k).l1_fans;
+            default: break;
+        }
+        const auto& [profile, offset] = fields_.at(k);
+        return place_error(profile, marks_of(quantity.norm, exact_, offset, shot_.t));
+    }
+
+private:
+    const solvers::Snapshot& shot_;
+    const oracles::Exact& exact_;
+    std::vector<CellField> fields_;  ///< in the order of the snapshot's
+    std::vector<CellErrors> errors_;
+};
+
+/// rms and linf are taken at points, the middles of cells too; the other norms over cells where there are any.
+bool is_over_cells(Norm norm, const solvers::Snapshot& shot) {
+    if (is_about_waves(norm)) return true;
+    return !shot.edges.empty() && (norm == Norm::l1 || norm == Norm::l2);
+}
+
 }  // namespace
 
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
                                             const oracles::Exact& exact) {
     std::vector<RunFigure> errors;
-    if (std::ranges::none_of(quantities, [](const Quantity& q) { return q.against == Against::exact; })) return errors;
-    const ExactValues truth(exact, shot);
+    std::optional<AtPoints> points;
+    std::optional<OverCells> cells;
     for (const auto& quantity : quantities) {
         if (quantity.against != Against::exact) continue;
-        const Field& found = shot.field(quantity.field);
-        const auto values = truth.field(quantity.field, found.components);
-        errors.push_back({quantity.key(), error_norm(quantity.norm, found.values, values, weights_of(quantity, shot),
-                                                     found.components)});
+        if (is_over_cells(quantity.norm, shot)) {
+            if (!cells) cells.emplace(shot, exact);
+            errors.push_back({quantity.key(), cells->error(quantity)});
+        } else {
+            if (!points) points.emplace(shot, exact);
+            errors.push_back({quantity.key(), points->error(quantity)});
+        }
     }
     return errors;
 }

@@ -8,7 +8,9 @@
 
 namespace ordo::studies {
 
-/// Each quantity that is measured against the exact solution, at the snapshot's points and time.
+/// Each quantity that is measured against the exact solution, at the snapshot's time: at its points; where it has
+/// cells, l1 and l2 are integrals over them, and the places of waves are found in them. Throws InputError where cells
+/// leave the box in which the solution holds.
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
                                             const oracles::Exact& exact);
 

@@ -7,6 +7,7 @@ namespace ordo::studies {
 
 double error_norm(Norm norm, std::span<const double> found, std::span<const double> exact,
                   std::span<const double> weights, int components) {
+    if (norm > Norm::linf) throw std::logic_error("error_norm: " + text_of(norm) + " is no norm over points");
     const std::size_t n = weights.size();
     const std::size_t c = static_cast<std::size_t>(components);
     if (n == 0 || found.size() != n * c || exact.size() != n * c) throw std::logic_error("error_norm: shapes differ");
@@ -24,7 +25,7 @@ double error_norm(Norm norm, std::span<const double> found, std::span<const doub
         case Norm::rms: return std::sqrt(sum / static_cast<double>(n));
         case Norm::l1: return sum;
         case Norm::l2: return std::sqrt(sum);
-        case Norm::linf: break;
+        default: break;
     }
     return largest;
 }

@@ -1,5 +1,6 @@
 #include "studies/engine/result.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace ordo::studies {
@@ -33,6 +34,13 @@ double Run::axis(const std::string& name) const {
     if (name == "h") return h;
     if (name == "dt") return dt;
     return figure(axes, name);
+}
+
+double Run::at(const std::string& name) const {
+    const std::string counter = counter_of(name);
+    if (!counter.empty()) return 1 / figure(work, counter);
+    const double known = axis(name);
+    return std::isnan(known) ? figure(work, name) : known;
 }
 
 double Run::error(const std::string& key) const { return figure(errors, key); }

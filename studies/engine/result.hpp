@@ -34,17 +34,19 @@ struct Run {
     std::vector<RunFigure> errors;  ///< by quantity key; NaN where a run has none
     std::vector<RunFigure> drift;
     std::vector<RunFigure> work;
-    double seconds = 0;  ///< thread time; volatile, belongs to provenance
+    double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none
+    /// The same, or what it counted, or one over that: "delta", "chop_outs", "1/chop_outs"; NaN when it has none.
+    double at(const std::string& name) const;
     double error(const std::string& key) const;  ///< NaN when it has none
 };
 
 /// Runs that differ in the refined resolution only, coarse to fine.
 struct Series {
     std::string label;      ///< "ppc = 4", "mpm usl, dt = 0.001"; "mpm" where nothing else differs
-    std::string abscissa;   ///< "h" or "dt"
-    std::string shown;      ///< the axis that a reader knows the abscissa by: "cells" or "dt"
+    std::string abscissa;   ///< "h", "dt" or "1/chop_outs"
+    std::string shown;      ///< what a reader knows the abscissa by: "cells", "dt" or "chop_outs"
     std::vector<int> runs;  ///< ids
 };
 
@@ -62,6 +64,7 @@ struct SeriesFit {
     std::vector<int> used;
     std::vector<LeftOut> left_out;
     FitOutcome outcome;
+    std::string abscissa = "h";  ///< of the series
 };
 
 enum class Verdict { pass, fail, inconclusive };

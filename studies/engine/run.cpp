@@ -16,6 +16,14 @@ double thread_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Adds the thread time of its own life to `seconds`.
+struct Timed {
+    double& seconds;
+    double begin = thread_seconds();
+
+    ~Timed() { seconds += thread_seconds() - begin; }
+};
+
 /// True once the study is interrupted or the run has used up its time; `late` tells the second.
 solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, bool& late) {
     if (!spec.timeout_s) return stop;
@@ -43,17 +51,22 @@ void raise(std::vector<RunFigure>& largest, const std::vector<RunFigure>& now) {
 
 /// To the end, and the errors there; or the largest errors over the ends of all steps.
 std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const RunSpec& spec,
-                                       const oracles::Exact& exact, const solvers::Interrupt& interrupt) {
+                                       const oracles::Exact& exact, const solvers::Interrupt& interrupt,
+                                       double& seconds) {
     const auto& quantities = spec.measure.quantities;
+    const auto advance_to = [&](double t) {
+        const Timed timed{seconds};
+        simulation.advance_to(t, interrupt);
+    };
     if (!quantities.front().maximum) {
-        simulation.advance_to(spec.t_end, interrupt);
+        advance_to(spec.t_end);
         return errors_against_exact(quantities, simulation.snapshot(), exact);
     }
     std::vector<RunFigure> largest = errors_against_exact(quantities, simulation.snapshot(), exact);
     const long steps = solvers::steps_to(spec.t_end, spec.plan.dt);
     for (long k = 1; k <= steps; ++k) {
         const double t = k == steps ? spec.t_end : spec.t_end * static_cast<double>(k) / static_cast<double>(steps);
-        simulation.advance_to(t, interrupt);
+        advance_to(t);
         raise(largest, errors_against_exact(quantities, simulation.snapshot(), exact));
     }
     return largest;
@@ -73,10 +86,13 @@ bool finite(const solvers::Snapshot& shot, std::string& which) {
 void run_to_end(const RunSpec& spec, const solvers::Interrupt& interrupt, RunOutcome& outcome) {
     const SceneEntry& scene = scene_named(spec.scene.name, "");
     const auto& solver = solvers::solver_named(spec.solver.name, "");
-    const auto simulation =
-        solver.start(scene.problem(spec.scene.values), spec.solver.options, spec.resolution, spec.measure.fields);
+    const auto problem = scene.problem(spec.scene.values);
     Run& run = outcome.run;
-    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), interrupt);
+    const auto simulation = [&] {
+        const Timed timed{run.seconds};
+        return solver.start(problem, spec.solver.options, spec.resolution, spec.measure.fields);
+    }();
+    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), interrupt, run.seconds);
     run.work = figures(simulation->work());
     run.drift = figures(simulation->drift());
     outcome.snapshot = simulation->snapshot();
@@ -96,7 +112,6 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop) {
     run.dt = spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
     run.t = spec.t_end;
     bool late = false;
-    const double begin = thread_seconds();
     const auto ends = [&](Status status, const std::string& reason) {
         run.status = status;
         run.reason = reason;
@@ -113,7 +128,6 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop) {
     } catch (const std::exception& error) {
         ends(Status::failed, error.what());
     }
-    run.seconds = thread_seconds() - begin;
     return outcome;
 }
 

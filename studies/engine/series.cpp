@@ -19,9 +19,16 @@ bool swept(const Study& study, const std::string& name) {
                        [&](const Axis& axis) { return axis.name == name; });
 }
 
-std::vector<Refinement> refinements(const Study& study) {
+/// The axis that refines h for the run's solver; for a solver that the study does not have, that of its first one.
+std::string width_of(const Study& study, const Run& run) {
+    if (study.solvers.empty()) return "";
+    const auto found = std::ranges::find(study.solvers, run.solver, &SolverChoice::label);
+    return width_axis(found == study.solvers.end() ? study.solvers.front() : *found);
+}
+
+/// In the order of own_abscissae.
+std::vector<Refinement> refinements(const Study& study, const std::string& width) {
     const std::string step = swept(study, "courant") ? "courant" : "dt";
-    const std::string width = width_axis(study.solvers);
     const Refinement space{{width}, "h", width};
     const Refinement time{{step}, "dt", step};
     switch (study.sweep.path) {
@@ -50,11 +57,12 @@ std::string label_of(const Study& study, const Run& run, const Refinement& refin
 
 }  // namespace
 
-std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs) {
+std::vector<Series> lines_of(const Study& study, const std::vector<Run>& runs) {
     std::vector<Series> all;
-    for (const auto& refinement : refinements(study)) {
+    for (std::size_t way = 0; way < own_abscissae(study.sweep.path).size(); ++way) {
         const std::size_t first = all.size();
         for (const auto& run : runs) {
+            const Refinement refinement = refinements(study, width_of(study, run))[way];
             const std::string label = label_of(study, run, refinement);
             auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
                                       [&](const Series& series) { return series.label == label; });
@@ -66,6 +74,20 @@ std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs) 
         const auto abscissa = [&](int id) { return runs[static_cast<std::size_t>(id)].axis(series.abscissa); };
         std::stable_sort(series.runs.begin(), series.runs.end(),
                          [&](int a, int b) { return abscissa(a) > abscissa(b); });
+    }
+    return all;
+}
+
+std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs) {
+    auto lines = lines_of(study, runs);
+    if (study.measure.orders_against.empty()) return lines;
+    std::vector<Series> all;
+    for (const auto& abscissa : study.measure.orders_against) {
+        const std::string counter = counter_of(abscissa);
+        for (const auto& line : lines) {
+            if (counter.empty() && line.abscissa != abscissa) continue;
+            all.push_back(counter.empty() ? line : Series{line.label, abscissa, counter, line.runs});
+        }
     }
     return all;
 }

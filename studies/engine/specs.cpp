@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -15,44 +14,33 @@ constexpr double most_steps = 1e9;
 
 using Point = std::vector<RunFigure>;
 
-/// Axes that are stepped through together count as one.
-std::vector<Point> points_of(const Study& study) {
-    const Sweep& sweep = study.sweep;
-    std::vector<Point> points{{}};
-    bool dt_zipped = false;
-    for (const auto& axis : sweep.axes) dt_zipped = dt_zipped || (sweep.path == Path::joint && axis.name == "dt");
+[[noreturn]] void refuse_so_many() {
+    throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
+}
+
+/// The points along the axes that the solver knows. Axes that are stepped through together count as one.
+std::vector<Point> points_of(const Sweep& sweep, const SolverChoice& choice) {
+    const auto& known = solvers::solver_named(choice.name, "").resolution;
+    const Axis* zipped = nullptr;
     for (const auto& axis : sweep.axes) {
-        if (dt_zipped && axis.name == "dt") continue;
-        if (points.size() * axis.values.size() > most_runs)
-            throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
+        if (sweep.path == Path::joint && axis.name == "dt") zipped = &axis;
+    }
+    std::vector<Point> points{{}};
+    for (const auto& axis : sweep.axes) {
+        if (&axis == zipped || find_parameter(known, axis.name) == nullptr) continue;
+        if (points.size() * axis.values.size() > most_runs) refuse_so_many();
+        const bool pulls = zipped != nullptr && axis.name == width_axis(choice) && find_parameter(known, "dt");
         std::vector<Point> longer;
         for (const auto& point : points) {
             for (std::size_t k = 0; k < axis.values.size(); ++k) {
                 longer.push_back(point);
                 longer.back().push_back({axis.name, axis.values[k]});
-                if (!dt_zipped || axis.name != width_axis(study.solvers)) continue;
-                for (const auto& other : sweep.axes) {
-                    if (other.name == "dt") longer.back().push_back({"dt", other.values[k]});
-                }
+                if (pulls) longer.back().push_back({"dt", zipped->values[k]});
             }
         }
         points = std::move(longer);
     }
     return points;
-}
-
-/// The points along the axes that the solver knows, each once.
-std::vector<Point> points_for(const solvers::Solver& solver, const std::vector<Point>& points) {
-    std::vector<Point> own;
-    std::set<std::vector<double>> seen;
-    for (Point point : points) {
-        std::erase_if(point,
-                      [&](const RunFigure& axis) { return find_parameter(solver.resolution, axis.name) == nullptr; });
-        std::vector<double> values;
-        for (const auto& axis : point) values.push_back(axis.value);
-        if (seen.insert(std::move(values)).second) own.push_back(std::move(point));
-    }
-    return own;
 }
 
 std::string text_of_point(const Point& point) {
@@ -103,16 +91,14 @@ std::vector<RunSpec> specs_of(const Study& study) {
     const auto& scene = scene_named(study.scene.name, "");
     const auto problem = scene.problem(study.scene.values);
     const Range times = scene.truth(study.scene.values).times;
-    const auto points = points_of(study);
     std::vector<RunSpec> specs;
     for (const auto& choice : study.solvers) {
-        for (const auto& point : points_for(solvers::solver_named(choice.name, ""), points)) {
+        for (const auto& point : points_of(study.sweep, choice)) {
             specs.push_back(spec_of(study, choice, point, problem, times));
             specs.back().id = static_cast<int>(specs.size()) - 1;
         }
+        if (specs.size() > most_runs) refuse_so_many();
     }
-    if (specs.size() > most_runs)
-        throw InputError("/sweep", "asks for more than " + std::to_string(most_runs) + " runs");
     return specs;
 }
 

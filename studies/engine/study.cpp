@@ -5,15 +5,16 @@
 
 namespace ordo::studies {
 
-std::string text_of(Norm norm) {
-    switch (norm) {
-        case Norm::rms: return "rms";
-        case Norm::l1: return "l1";
-        case Norm::l2: return "l2";
-        case Norm::linf: break;
-    }
-    return "linf";
+const std::vector<std::string>& norm_names() {
+    static const std::vector<std::string> names{"rms", "l1", "l2", "linf", "l1_fans", "shock", "contact", "fan_edge"};
+    return names;
 }
+
+std::string text_of(Norm norm) { return norm_names().at(static_cast<std::size_t>(norm)); }
+
+bool is_about_waves(Norm norm) { return norm > Norm::linf; }
+
+bool is_place(Norm norm) { return norm == Norm::shock || norm == Norm::contact || norm == Norm::fan_edge; }
 
 std::string text_of(Path path) {
     switch (path) {
@@ -53,8 +54,18 @@ std::string text_of(const std::vector<Condition>& where) {
     return joined(parts);
 }
 
-std::string width_axis(const std::vector<SolverChoice>& solvers) {
-    return solvers.empty() ? "" : solvers::solver_named(solvers.front().name, "").width_axis;
+std::string width_axis(const SolverChoice& solver) { return solvers::solver_named(solver.name, "").width_axis; }
+
+std::vector<std::string> own_abscissae(Path path) {
+    switch (path) {
+        case Path::space:
+        case Path::joint: return {"h"};
+        case Path::time: return {"dt"};
+        case Path::grid: break;
+    }
+    return {"h", "dt"};
 }
+
+std::string counter_of(const std::string& abscissa) { return abscissa.starts_with("1/") ? abscissa.substr(2) : ""; }
 
 }  // namespace ordo::studies

@@ -40,7 +40,9 @@ struct Sweep {
 enum class Until { exact, accumulated, steps };
 /// What an error is measured against: the exact solution, or the run with the smallest dt of the same series.
 enum class Against { exact, finest };
-enum class Norm { rms, l1, l2, linf };
+/// Over points, or over cells where a snapshot has them: rms to linf. Where the waves of a line are off their places:
+/// shock, contact, fan_edge. l1_fans is l1 over the middle half of every fan, away from its corners.
+enum class Norm { rms, l1, l2, linf, l1_fans, shock, contact, fan_edge };
 
 /// One error figure that every run is asked for. `maximum` is over the ends of all steps instead of the last one.
 struct Quantity {
@@ -59,6 +61,9 @@ struct Measure {
     Until until = Until::exact;
     std::vector<std::string> fields;
     std::vector<Quantity> quantities;  ///< fields x norms x against
+    /// What orders are fitted against: abscissae of the sweep's path ("h", "dt"), and one over a counter of work:
+    /// "1/cells_alive". Empty: the path's own.
+    std::vector<std::string> orders_against = {};
 };
 
 /// "cells <= 32": one condition on a swept number.
@@ -77,6 +82,7 @@ struct Expectation {
     Kind kind = Kind::order;
     double value = 0;                     ///< the order, or the bound in the field's unit
     double within = 0;                    ///< half-width of the band around an order
+    std::string against = {};             ///< abscissa of an order: "h", "1/chop_outs"; empty: those of the path
     std::vector<Condition> where;         ///< which runs it speaks of; empty: all
     std::vector<std::string> quantities;  ///< keys it speaks of; empty: all
     std::vector<std::string> solvers;     ///< labels it speaks of; empty: all
@@ -119,8 +125,23 @@ struct Study {
     std::string document;  ///< the whole question as JSON, published values included: reads back as this study
 };
 
-/// The axis that refines h for these solvers: "cells" for a mesh. "" without solvers.
-std::string width_axis(const std::vector<SolverChoice>& solvers);
+/// The axis that refines h for this solver: "cells" for a mesh.
+std::string width_axis(const SolverChoice& solver);
+
+/// The abscissae along which the path refines: "h", "dt" or both.
+std::vector<std::string> own_abscissae(Path path);
+
+/// "1/cells_alive" is one over what a run counts; "" for an abscissa that is none such, else the counter's name.
+std::string counter_of(const std::string& abscissa);
+
+/// Names of the norms, in the order of their enumeration.
+const std::vector<std::string>& norm_names();
+
+/// Needs cells and the waves of the exact solution: l1_fans, and the places.
+bool is_about_waves(Norm norm);
+
+/// shock, contact or fan_edge: an error that is a distance.
+bool is_place(Norm norm);
 
 using ordo::text_of;
 std::string text_of(Norm norm);

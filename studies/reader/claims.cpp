@@ -51,9 +51,24 @@ double positive_number(const Node& node) {
     return value;
 }
 
+/// The abscissa of an order, which the study must fit against; "" for those of the sweep's path.
+std::string against_from(const Node& node, const Study& study, bool order) {
+    auto fitted = study.measure.orders_against;
+    if (fitted.empty()) fitted = own_abscissae(study.sweep.path);
+    if (node.has("against")) {
+        if (!order) node.at("against").refuse("belongs to 'order' only");
+        node.at("against").one_of(fitted);
+        return node.at("against").text();
+    }
+    const auto own = [](const std::string& abscissa) { return counter_of(abscissa).empty(); };
+    if (order && std::none_of(fitted.begin(), fitted.end(), own))
+        node.refuse("must say 'against' what its order is: " + joined(fitted));
+    return "";
+}
+
 Expectation expectation_from(const Node& node, const Study& study) {
     static const std::array<std::string, 3> kinds{"order", "error_at_most", "exact_within"};
-    node.only({"order", "within", "error_at_most", "exact_within", "where", "of", "solver", "source"});
+    node.only({"order", "within", "error_at_most", "exact_within", "against", "where", "of", "solver", "source"});
     Expectation expectation;
     int claims = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -66,6 +81,7 @@ Expectation expectation_from(const Node& node, const Study& study) {
     const bool order = expectation.kind == Expectation::Kind::order;
     if (order) expectation.within = positive_number(node.at("within"));
     else if (node.has("within")) node.at("within").refuse("belongs to 'order' only");
+    expectation.against = against_from(node, study, order);
     if (node.has("where")) {
         for (const auto& item : node.at("where").items()) expectation.where.push_back(condition_from(item, study));
     }

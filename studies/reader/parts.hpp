@@ -14,6 +14,9 @@ void put_setting(Json& document, const Setting& setting);
 /// The axes and the path, each value checked against what the solvers declare, and the path against the axes.
 Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices);
 
+/// What is measured, when, and against what; fields and norms must be there to measure.
+Measure measure_from(const Node& node, const Study& study);
+
 /// The expectations; conditions must name swept axes, quantities must be measured.
 std::vector<Expectation> expectations_from(const Node& node, const Study& study);
 

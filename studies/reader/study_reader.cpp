@@ -106,69 +106,6 @@ std::vector<SolverChoice> all_solvers_from(const Node& node, const SceneChoice& 
     return choices;
 }
 
-/// Every solver and the exact solution must have each field.
-void check_fields(const Node& node, const Study& study) {
-    const auto exact = scene_named(study.scene.name, "").truth(study.scene.values);
-    for (const auto& item : node.items()) {
-        std::vector<std::string> known;
-        for (const auto& field : exact.fields) known.push_back(field.name);
-        for (const auto& choice : study.solvers) {
-            const auto& offered = solvers::solver_named(choice.name, "").fields;
-            std::erase_if(known, [&](const std::string& name) {
-                return std::find(offered.begin(), offered.end(), name) == offered.end();
-            });
-        }
-        item.one_of(known);
-    }
-}
-
-Measure measure_from(const Node& node, const Study& study) {
-    node.only({"at", "until", "fields", "norms", "over", "volume", "against"});
-    Measure measure;
-    measure.at = node.at("at").number();
-    if (node.has("until"))
-        measure.until = static_cast<Until>(node.at("until").one_of({"exact", "accumulated", "steps"}));
-    if (!(measure.at > 0) || !std::isfinite(measure.at))
-        node.at("at").refuse("is " + shortest(measure.at) + ", but must be > 0");
-    const Range times = scene_named(study.scene.name, "").truth(study.scene.values).times;
-    if (measure.until != Until::steps && !times.contains(measure.at)) {
-        node.at("at").refuse("is " + shortest(measure.at) + ", but the exact solution holds for t " + times.text());
-    }
-    if (measure.until == Until::steps && measure.at != std::floor(measure.at)) {
-        node.at("at").refuse("is " + shortest(measure.at) + ", but must be a whole number of steps");
-    }
-    measure.fields = node.at("fields").texts();
-    if (measure.fields.empty()) node.at("fields").refuse("is an empty list");
-    check_fields(node.at("fields"), study);
-    std::vector<Norm> norms{Norm::rms};
-    if (node.has("norms")) {
-        norms.clear();
-        for (const auto& item : node.at("norms").items())
-            norms.push_back(static_cast<Norm>(item.one_of({"rms", "l1", "l2", "linf"})));
-        if (norms.empty()) node.at("norms").refuse("is an empty list");
-    }
-    const bool maximum = node.has("over") && node.at("over").one_of({"final", "maximum"}) == 1;
-    const bool undeformed = node.has("volume") && node.at("volume").one_of({"current", "undeformed"}) == 1;
-    if (undeformed && !solvers::is_solid(scene_named(study.scene.name, "").problem(study.scene.values)))
-        node.at("volume").refuse("is \"undeformed\", but the scene has no body");
-    std::vector<Against> against{Against::exact};
-    if (node.has("against")) {
-        against.clear();
-        for (const auto& item : node.at("against").items())
-            against.push_back(static_cast<Against>(item.one_of({"exact", "finest"})));
-        if (against.empty()) node.at("against").refuse("is an empty list");
-    }
-    for (const Against truth : against) {
-        if (truth == Against::finest && (study.sweep.path != Path::time || maximum)) {
-            node.refuse("'against' may be 'finest' only where the sweep's path is 'time' and 'over' is 'final'");
-        }
-        for (const auto& field : measure.fields) {
-            for (const Norm norm : norms) measure.quantities.push_back({field, norm, truth, maximum, undeformed});
-        }
-    }
-    return measure;
-}
-
 Study study_from(Json document, const std::string& where, const std::string& folder) {
     inline_published(document, where, folder);
     const Node root(document, where);

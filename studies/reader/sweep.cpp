@@ -30,7 +30,7 @@ const Axis* find_axis(const Sweep& sweep, const std::string& name) {
     return nullptr;
 }
 
-/// A path says which error it shows, so the axes must leave the other one alone.
+/// A path says which error it shows, so the axes must leave the other one alone. Of one solver: its own width axis.
 void check_path(const Node& node, const Sweep& sweep, const std::string& width_name) {
     const Axis* width = find_axis(sweep, width_name);
     const Axis* dt = find_axis(sweep, "dt");
@@ -49,6 +49,12 @@ void check_path(const Node& node, const Sweep& sweep, const std::string& width_n
     if (width == nullptr || dt == nullptr || width->values.size() != dt->values.size()) {
         node.refuse("path 'joint' needs 'courant', or as many values of 'dt' as of '" + width_name + "'");
     }
+}
+
+/// A solver that is given no step follows its width alone; others must not leave it without one.
+bool takes_steps(const SolverChoice& choice) {
+    const auto& known = solvers::solver_named(choice.name, "").resolution;
+    return find_parameter(known, "dt") != nullptr || find_parameter(known, "courant") != nullptr;
 }
 
 }  // namespace
@@ -74,7 +80,10 @@ Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices) {
         member.refuse("is not a resolution of solver " + choices.front().name +
                       did_you_mean(member.key(), names_of(declared)));
     }
-    check_path(node, sweep, width_axis(choices));
+    const bool mixed = std::any_of(choices.begin(), choices.end(), takes_steps);
+    for (const auto& choice : choices) {
+        if (takes_steps(choice) || !mixed) check_path(node, sweep, width_axis(choice));
+    }
     return sweep;
 }
 

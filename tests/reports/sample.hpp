@@ -99,4 +99,32 @@ inline reports::Report time_sample() {
     return report;
 }
 
+/// The sample with orders against h and counted replacements too; fem counts none, and neither does what diverged.
+inline reports::Report counting_sample() {
+    reports::Report report = sample();
+    Result& result = report.result;
+    for (auto& run : result.runs) {
+        if (run.solver == "mpm" && run.status == Status::ok) run.work = {{"chop_outs", 10 / run.h}};
+    }
+    const auto own = result.series;
+    for (const auto& series : own) result.series.push_back({series.label, "1/chop_outs", "chop_outs", series.runs});
+    const OrderFit fit{1, 0.9, 1.1, 0.5, 1, {1, 1}};
+    result.fits.push_back({"mpm", rms, "", {0, 1, 2, 3}, {{4, "diverged: "}}, {fit, ""}, "1/chop_outs"});
+    const LeftOut none{5, "it counts no 'chop_outs'"};
+    result.fits.push_back({"fem", rms, "", {}, {none}, {std::nullopt, "fewer than two points"}, "1/chop_outs"});
+    return report;
+}
+
+/// Two solvers that refine widths of different names: one counts cells, the other iterations.
+inline reports::Report mixed_sample() {
+    reports::Report report = sample();
+    Result& result = report.result;
+    result.study.solvers = {{"mpm", {}, "mpm"}, {"root_finding", {}, "fem"}};
+    for (auto& run : result.runs) {
+        if (run.solver == "fem") run.axes[0].name = "iterations";
+    }
+    result.series[1].shown = "iterations";
+    return report;
+}
+
 }  // namespace ordo::samples

@@ -114,6 +114,19 @@ TEST_CASE("the finest run is the reference and has no error against itself", "[u
     CHECK(result.runs[0].error("displacement.rms@finest") > 0);
 }
 
+TEST_CASE("runs are compared with the finest once, whatever orders are against", "[unit]") {
+    auto document = with("/sweep", R"({"cells": 8, "ppc": 2, "dt": [0.02, 0.01, 0.005], "path": "time"})");
+    document["measure"]["against"] = "finest";
+    document["measure"]["orders_against"] = {"dt", "1/steps"};
+    document["expect"] = Json::array();
+    const Study study = study_of(document);
+    const Result result = judged(study, run_all(study, {.jobs = 1, .progress = {}}));
+    CHECK(result.runs[0].errors.size() == 1);
+    REQUIRE(result.fits.size() == 2);
+    // Equal steps: one over their number is dt over the time.
+    CHECK(result.fits[1].outcome.fit->order == Approx(result.fits[0].outcome.fit->order).epsilon(1e-9));
+}
+
 TEST_CASE("scene, solver and resolution that do not go together are refused before anything runs", "[alarm]") {
     auto document = tests::sample_document();
     document["sweep"].erase("dt");

@@ -5,34 +5,17 @@
 
 #include "studies/engine/run.hpp"
 #include "tests/catch.hpp"
+#include "tests/studies/planned_runs.hpp"
 #include "tests/studies/sample_study.hpp"
 
 using namespace ordo;
 using namespace ordo::studies;
+using ordo::tests::planned_runs;
+using ordo::tests::second_order;
 using ordo::tests::study_of;
 using ordo::tests::with;
 
 namespace {
-
-/// The runs that the study plans, with errors from a function of h.
-template <class F>
-std::vector<Run> planned_runs(const Study& study, F error) {
-    std::vector<Run> runs;
-    for (const auto& spec : specs_of(study)) {
-        Run run;
-        run.id = spec.id;
-        run.solver = spec.solver.label;
-        run.axes = spec.axes;
-        run.h = spec.plan.h;
-        run.dt = spec.plan.dt;
-        run.t = spec.t_end;
-        run.errors = {{"displacement.rms", error(spec.plan.h)}};
-        runs.push_back(run);
-    }
-    return runs;
-}
-
-const auto second_order = [](double h) { return 3e-4 * h * h; };
 
 Verdict verdict_of(const Study& study, const std::vector<Run>& runs) { return judged(study, runs).verdict; }
 

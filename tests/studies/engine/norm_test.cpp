@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -79,5 +80,12 @@ TEST_CASE("norm: NaN stays NaN wherever it stands, and infinity does not vanish"
             error[at] = inf;
             CHECK_FALSE(std::isfinite(norm_of(norm, error, {1, 1, 1, 1})));
         }
+    }
+}
+
+TEST_CASE("norm: what is about waves is no norm over points", "[alarm]") {
+    for (const Norm norm : {Norm::l1_fans, Norm::shock, Norm::contact, Norm::fan_edge}) {
+        INFO(text_of(norm));
+        CHECK_THROWS_AS(norm_of(norm, {1, 2}, {1, 1}), std::logic_error);
     }
 }

@@ -104,7 +104,7 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/scene/mode", "1.5", "a whole number in [1, 1000]"},
         {"/scene/name", "\"bar_vibratoin\"", "there is no scene 'bar_vibratoin' (nearest: 'bar_vibration')"},
         {"/scene", "3", "/scene: must be an object"},
-        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm, fem, root_finding)"},
+        {"/solvers/0/name", "\"mmp\"", "there is no solver 'mmp' (valid: mpm, fem, "},
         {"/solvers/0/stress_update", "\"mulsl\"", "(nearest: 'musl')"},
         {"/solvers/0/stress_update", "[]", "/solvers/0/stress_update: is an empty list"},
         {"/solvers/0/conservative", "1", "must be true or false"},
@@ -130,6 +130,17 @@ TEST_CASE("a bad member is refused by place, rule and nearest choice", "[alarm]"
         {"/measure/fields", "[]", "is an empty list"},
         {"/measure/norms", "\"max\"", "but must be one of: rms, l1, l2, linf"},
         {"/measure/against", "\"finest\"", "only where the sweep's path is 'time'"},
+        {"/measure/norms", "\"shock\"", "/measure/norms: 'shock' needs a scene on a line"},
+        {"/measure/norms", "[\"rms\", \"l1_fans\"]", "'l1_fans' needs a scene on a line"},
+        {"/measure/norms", "\"fan_edges\"", "(nearest: 'fan_edge')"},
+        {"/measure/orders_against", "\"dt\"", "must be h (the sweep's path), or one over a counter of work: '1/steps'"},
+        {"/measure/orders_against", "\"1/\"", "must be h"},
+        {"/measure/orders_against", "\"steps\"", "must be h"},
+        {"/measure/orders_against", "[]", "is an empty list"},
+        {"/measure/orders_against", "[\"h\", \"h\"]", "/measure/orders_against/1: repeats 'h'"},
+        {"/measure/orders_against", "\"1/steps\"", "/expect/0: must say 'against' what its order is: 1/steps"},
+        {"/expect/0/against", "\"1/steps\"", "/expect/0/against: is '1/steps', but must be one of: h"},
+        {"/expect", "[{\"error_at_most\": 1, \"against\": \"h\", \"source\": \"test\"}]", "belongs to 'order' only"},
         {"/expect/0/within", "0", "must be > 0"},
         {"/expect/0/error_at_most", "1", "exactly one of: order, error_at_most, exact_within"},
         {"/expect/0/where", "\"cels <= 8\"", "'cels' is not an axis of the sweep (nearest: 'cells')"},
@@ -185,4 +196,54 @@ TEST_CASE("settings replace, add and list values; a place that is not there is r
     CHECK_THROWS_AS(read_study(path, {setting_from("sweep.clls=4")}), InputError);
     CHECK_THROWS_AS(read_study(path, {setting_from("solvers.x.basis=linear")}), InputError);
     std::filesystem::remove_all(folder);
+}
+
+namespace {
+
+/// Sod's tube on fixed and on replaced cells, each with a width of its own.
+Json tube() {
+    return Json::parse(R"json({
+        "study": "tube", "scene": { "name": "gas_riemann" },
+        "solvers": [ { "name": "rrm" }, { "name": "godunov" } ],
+        "sweep": { "cells": [10, 20], "delta": [1e-2, 1e-3, 1e-4], "path": "space" },
+        "measure": { "at": 1, "fields": ["density"], "norms": ["l1", "shock", "contact", "fan_edge", "l1_fans"] }
+    })json");
+}
+
+std::string refusal_of_tube(const std::string& pointer, const std::string& value) {
+    auto document = tube();
+    document[Json::json_pointer(pointer)] = Json::parse(value);
+    return refusal_of_text(document.dump());
+}
+
+}  // namespace
+
+TEST_CASE("each solver is refined by its own width axis, in one sweep", "[unit]") {
+    std::map<std::string, std::vector<double>> widths;
+    for (const auto& spec : specs_of(study_of(tube()))) {
+        REQUIRE(spec.axes.size() == 1);
+        CHECK(spec.axes[0].name == (spec.solver.name == "rrm" ? "delta" : "cells"));
+        widths[spec.solver.name].push_back(spec.axes[0].value);
+    }
+    CHECK(widths == std::map<std::string, std::vector<double>>{{"rrm", {1e-2, 1e-3, 1e-4}}, {"godunov", {10, 20}}});
+    auto document = tube();
+    document["sweep"]["courant"] = 0.4;
+    document["sweep"]["path"] = "joint";
+    CHECK(specs_of(study_of(document)).size() == 5);
+}
+
+TEST_CASE("a path is checked against the width axis of each solver", "[alarm]") {
+    auto document = sample_document();
+    document["scene"] = {{"name", "scalar_root"}};
+    document["solvers"] = {{{"name", "root_finding"}}};
+    document["sweep"] = {{"iterations", {1, 2}}, {"path", "grid"}};
+    CHECK_THAT(refusal_of_text(document.dump()), ContainsSubstring("several values of 'iterations' and of 'dt'"));
+}
+
+TEST_CASE("norms about waves are refused where there is nothing to measure", "[alarm]") {
+    CHECK(study_of(tube()).measure.quantities.size() == 5);
+    CHECK_THAT(refusal_of_tube("/measure/fields", R"("pressure")"),
+               ContainsSubstring("'contact' has nothing to measure: the field 'pressure' is the same on both sides"));
+    CHECK_THAT(refusal_of_tube("/scene/p_L", "0.1"), ContainsSubstring("no shock at t = 1"));
+    CHECK_THAT(refusal_of_tube("/measure/over", R"("maximum")"), ContainsSubstring("needs 'over' to be 'final'"));
 }
