@@ -87,9 +87,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     std::signal(SIGTERM, ask_to_stop);
     const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
     if (!out.empty()) reports::check_writable(out);
+    const auto fields = solver.fields_in ? solver.fields_in(problem) : solver.fields;
     std::string text;
     try {
-        const auto simulation = solver.start(problem, values, resolution, solver.fields);
+        const auto simulation = solver.start(problem, values, resolution, fields);
         simulation->advance_to(t, [] { return stop_asked.load(std::memory_order_relaxed); });
         text = columns_as(format, columns_of(simulation->snapshot()), "ordo solve");
     } catch (const solvers::Interrupted&) {

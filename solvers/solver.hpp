@@ -87,6 +87,8 @@ struct Solver {
     std::string width_axis = "cells";        ///< the axis of its resolution that refines Plan::h
     std::string width = "mesh width h [m]";  ///< what h is, in the words of a plot's axis
     std::vector<std::string> fields;         ///< names of the fields that its snapshots can hold
+    /// Those of them that a problem has; empty where every problem has all.
+    std::function<std::vector<std::string>(const Scene&)> fields_in{};
     std::function<Claim(const Values& options)> claim;
     std::function<bool(const Scene&)> accepts;  ///< whether it can solve problems of this kind
     /// Throws InputError on a scene or on values that do not go together; cheap.

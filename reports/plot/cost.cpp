@@ -124,7 +124,7 @@ Words cost_words(const Report& report, const Quantity& quantity, Cost cost) {
     if (cost == Cost::time) {
         words.abscissa = "thread time [s], one machine, this run";
         words.legend =
-            fmt::format("each run once, set-up and measuring of errors included; {} {}; {}", report.provenance.jobs,
+            fmt::format("each run once, set-up included, measuring of errors not; {} {}; {}", report.provenance.jobs,
                         report.provenance.jobs == 1 ? "job" : "jobs", report.provenance.cpu);
         words.nothing += " and a time above zero";
         return words;

@@ -132,6 +132,7 @@ Solver solver() {
             .options = option_parameters(),
             .resolution = resolution_parameters(),
             .fields = line_field_names(),
+            .fields_in = line_fields_in,
             .claim = claim,
             .accepts = is_line,
             .plan = plan,

@@ -30,6 +30,11 @@ const std::vector<std::string>& line_field_names() {
     return names;
 }
 
+std::vector<std::string> line_fields_in(const Scene& scene) {
+    if (!is_line(scene)) throw std::logic_error("the scene is no line");
+    return names_in(std::get<LineScene>(scene).medium);
+}
+
 std::vector<LineField> line_fields(const Medium& medium, std::span<const std::string> names) {
     const auto& all = line_field_names();
     std::vector<LineField> fields;

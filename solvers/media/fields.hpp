@@ -1,6 +1,5 @@
 #pragma once
 // The fields of a line by name, for every solver that keeps contents.
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +24,9 @@ enum class LineField {
 
 /// Their names, in the order of the enumerators.
 const std::vector<std::string>& line_field_names();
+
+/// The names that a line's medium has; throws std::logic_error where the scene is no line.
+std::vector<std::string> line_fields_in(const Scene& scene);
 
 /// The fields of those names. Throws InputError for a name that is none, or that the medium does not have.
 std::vector<LineField> line_fields(const Medium& medium, std::span<const std::string> names);

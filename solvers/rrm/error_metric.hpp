@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solvers/rrm/front.hpp"
-#include "solvers/rrm/schedule.hpp"
 
 namespace ordo::solvers::rrm {
 
@@ -22,14 +21,14 @@ inline Moments moments(const Side& side, std::size_t k) { return {side.width, si
 /// Those of a length w with the value d.
 inline Moments piece(double w, double d) { return {w, d * w, d * d * w}; }
 
-/// How long until moments that are `now` and grow by `rate` a second have the flattening error `allowed`.
-inline double time_until(const Moments& now, const Moments& rate, double allowed) {
-    double A = rate.w * rate.q - rate.s * rate.s;
-    if (A < 1e-12 * rate.w * rate.q) A = 0;  // round-off of a rate with one value only
+/// The earlier of `until` and the time that moments, which are `now` and grow by `rate` a second, take to the
+/// flattening error whose square is `allowed_square`. `A` is the square of the error that the rate alone makes in a
+/// second.
+inline double earlier(double until, const Moments& now, const Moments& rate, double A, double allowed_square) {
     const double B = now.w * rate.q + rate.w * now.q - 2 * now.s * rate.s;
-    const double C = now.square() - allowed * allowed;
+    const double C = now.square() - allowed_square;
     if (C >= 0) return 0;
-    if (A == 0) return B > 0 ? -C / B : Schedule::never;
+    if (!(C + until * (B + until * A) > 0)) return until;  // so too where nothing changes: 0 times infinity
     const double root = std::sqrt(B * B - 4 * A * C);
     return B >= 0 ? -2 * C / (B + root) : (root - B) / (2 * A);
 }
@@ -44,20 +43,25 @@ inline void sweep(Side& side, double width, const Watched& now, const Watched& b
     }
 }
 
-/// Moments of the first n fields relative to a base that lies lower by `shift`.
-inline void rebase(Side& side, const Watched& shift, std::size_t n) {
+/// The same from both sides at once, in an order that a mirror does not change.
+inline void sweep(Side& all, double w_l, double w_r, const Watched& l, const Watched& r, const Watched& base,
+                  std::size_t n) {
+    all.width += w_l + w_r;
     for (std::size_t k = 0; k < n; ++k) {
-        side.square[k] += shift[k] * (2 * side.sum[k] + shift[k] * side.width);
-        side.sum[k] += shift[k] * side.width;
+        const Moments both = piece(w_l, l[k] - base[k]) + piece(w_r, r[k] - base[k]);
+        all.sum[k] += both.s;
+        all.square[k] += both.q;
     }
 }
 
-inline void add(Side& to, const Side& from, std::size_t n) {
+/// Adds a side whose moments are relative to another base.
+inline void add(Side& to, const Watched& base, const Side& from, const Watched& other, std::size_t n) {
     to.content += from.content;
     to.width += from.width;
     for (std::size_t k = 0; k < n; ++k) {
-        to.sum[k] += from.sum[k];
-        to.square[k] += from.square[k];
+        const double shift = other[k] - base[k];
+        to.sum[k] += from.sum[k] + shift * from.width;
+        to.square[k] += from.square[k] + shift * (2 * from.sum[k] + shift * from.width);
     }
 }
 

@@ -6,9 +6,7 @@ namespace ordo::solvers::rrm {
 
 /// Signal speeds: both edges of a front, or the inner one where the other lies at a wall or a free end.
 template <class M>
-void Line<M>::set_speeds(Front& f) const {
-    const Flow& l = cell(f.left).f;
-    const Flow& r = cell(f.right).f;
+inline void Line<M>::set_speeds(Front& f, const Flow& l, const Flow& r) const {
     const bool davis = options_.speeds == Speeds::davis;
     f.S_l = davis ? std::min(l.v - l.a, r.v - r.a) : l.v - l.a;
     f.S_r = davis ? std::max(l.v + l.a, r.v + r.a) : r.v + r.a;
@@ -20,14 +18,19 @@ void Line<M>::set_speeds(Front& f) const {
         }
     }
     f.v_c = 0;
-    if (!f.tagged && f.end == LineEnd::Kind::reservoir) return;
+    if (f.tagged || f.end != LineEnd::Kind::reservoir) set_contact_speed(f, l, r);
+}
+
+/// The speed of a contact, or of the end of the line that a front lies at.
+template <class M>
+void Line<M>::set_contact_speed(Front& f, const Flow& l, const Flow& r) const {
     const std::size_t side = end_of(f);
     const Contents total = f.content();
     const double from_left = l.rho * (l.v - f.S_l);
     const double from_right = r.rho * (f.S_r - r.v);
     if (f.kind == Front::Kind::open && total.mass > 0) f.v_c = total.momentum / total.mass;
     else if (f.end == LineEnd::Kind::free) f.v_c = side == 0 ? r.v - r.p / from_right : l.v + l.p / from_left;
-    else f.v_c = (from_left * l.v + from_right * r.v + l.p - r.p) / (from_left + from_right);
+    else f.v_c = ((from_left * l.v + from_right * r.v) + (l.p - r.p)) / (from_left + from_right);
     if (!one_sided(f)) return;
     if (f.end == LineEnd::Kind::wall) f.v_c = ends_[side].velocity;
     (side == 0 ? f.S_l : f.S_r) = f.v_c;
@@ -55,7 +58,7 @@ void Line<M>::mirror_ghost(int L, int R) {
 
 /// A fresh front between two cells.
 template <class M>
-void Line<M>::start(int id, int L, int R, double x, double t, bool tagged) {
+inline void Line<M>::start(int id, int L, int R, double x, double t, bool tagged) {
     Front& f = front(id);
     f.kind = Front::Kind::fresh;
     f.left = L;
@@ -64,86 +67,93 @@ void Line<M>::start(int id, int L, int R, double x, double t, bool tagged) {
     f.end = end_between(L, R);
     f.t = f.t_0 = t;
     f.x_l = f.x_r = f.x_0 = f.x_c = x;
-    f.l.content = f.r.content = {};
+    f.l = Side{};
+    if (tagged) f.r = Side{};
     cell(L).right = id;
     cell(R).left = id;
-    mirror_ghost(L, R);
-    set_speeds(f);
-    f.t_chop = t + fresh_until(f);
+    if (f.end != LineEnd::Kind::reservoir) mirror_ghost(L, R);
+    const Flow& l = cell(L).f;
+    const Flow& r = cell(R).f;
+    set_speeds(f, l, r);
+    const Watched a = watched_of(l);
+    const Watched b = watched_of(r);
+    for (std::size_t k = 0; k < watched; ++k) f.base[k] = 0.5 * (a[k] + b[k]);
+    f.t_chop = t + (one_sided(f) ? end_until(f) : fresh_until(f, a, b));
 }
 
 /// Two uniform pieces have the flattening error sqrt(w_l w_r) |difference|; a tagged front keeps density and
-/// temperature apart. At a wall the velocity has its mirror image, at a free end the pressure: |difference| / 2 of the
-/// half that is.
+/// temperature apart.
 template <class M>
-double Line<M>::fresh_until(const Front& f) const {
-    const Watched l = watched_of(cell(f.left).f);
-    const Watched r = watched_of(cell(f.right).f);
-    const double w_l = l[1] - f.S_l;
-    const double w_r = f.S_r - r[1];
+inline double Line<M>::fresh_until(const Front& f, const Watched& l, const Watched& r) const {
     double rate = 0;
-    if (one_sided(f)) {
-        const double w = takes_from_right(f) ? w_r : w_l;
-        const Watched& inner = takes_from_right(f) ? r : l;
-        rate = f.end == LineEnd::Kind::wall ? w * std::abs(inner[1] - f.v_c) / options_.allowed[1]
-                                            : w * std::abs(inner[2]) / options_.allowed[2];
-    } else {
-        for (std::size_t k = f.tagged ? 1 : 0; k < (f.tagged ? 3 : watched); ++k)
-            rate = std::max(rate, std::abs(l[k] - r[k]) / options_.allowed[k]);
-        rate *= std::sqrt(w_l * w_r);
+    for (std::size_t k = 0; k < watched; ++k) {
+        if (!apart(f, k)) rate = std::max(rate, std::abs(l[k] - r[k]) * per_allowed_[k]);
     }
+    rate *= std::sqrt((l[1] - f.S_l) * (f.S_r - r[1]));
     return rate > 0 ? 1 / rate : Schedule::never;
 }
 
-/// The moments that flattening would even out: at a wall or a free end those of an odd field, about its value there.
+/// A fresh front at a wall or a free end has an inner piece only. At a wall the velocity has its mirror image, at a
+/// free end the pressure: |difference| / 2 of the half that is, and the mean of that odd field is its value there.
 template <class M>
-Moments Line<M>::watched_moments(const Front& f, std::size_t k) const {
-    Moments both = moments(f.l, k) + moments(f.r, k);
-    if ((f.end == LineEnd::Kind::wall && k == 1) || (f.end == LineEnd::Kind::free && k == 2)) both.s = 0;
-    return both;
+double Line<M>::end_until(Front& f) const {
+    const bool right = takes_from_right(f);
+    const Watched inner = watched_of(cell(right ? f.right : f.left).f);
+    const double w = right ? f.S_r - inner[1] : inner[1] - f.S_l;
+    const std::size_t k = f.end == LineEnd::Kind::wall ? 1 : 2;
+    f.base = inner;
+    f.base[k] = k == 1 ? f.v_c : 0;
+    const double rate = w * std::abs(inner[k] - f.base[k]) * per_allowed_[k];
+    return rate > 0 ? 1 / rate : Schedule::never;
 }
 
-/// The largest flattening error that an open front has, in units of what is allowed, squared.
+/// The square of the flattening error of one field, of which a front has these moments on its two sides.
 template <class M>
-double Line<M>::excess(const Front& f) const {
-    double worst = 0;
+inline double Line<M>::square_of_error(const Front& f, std::size_t k, const Moments& l, const Moments& r) const {
+    if (!f.tagged) return odd(f, k) ? l.w * l.q : l.square();
+    if (!apart(f, k)) return (l + r).square();
+    return l.square() + r.square() + 2 * std::sqrt(l.square() * r.square());
+}
+
+/// Whether the flattening error of a front is more than is allowed, if it had these two sides.
+template <class M>
+inline bool Line<M>::too_much(const Front& f, const Side& l, const Side& r) const {
     for (std::size_t k = 0; k < watched; ++k) {
-        double error = watched_moments(f, k).square();
-        if (f.tagged && (k == 0 || k == 3)) {
-            const double sum = std::sqrt(moments(f.l, k).square()) + std::sqrt(moments(f.r, k).square());
-            error = sum * sum;
-        }
-        worst = std::max(worst, error / (options_.allowed[k] * options_.allowed[k]));
+        if (square_of_error(f, k, moments(l, k), moments(r, k)) > allowed_square_[k]) return true;
     }
-    return worst;
+    return false;
 }
 
 /// How long until an open front has changed as much as it may.
 template <class M>
-double Line<M>::open_until(const Front& f) const {
-    const Watched l = watched_of(cell(f.left).f);
-    const Watched r = watched_of(cell(f.right).f);
+inline double Line<M>::open_until(const Front& f, const Watched& l, const Watched& r) const {
+    const double w_l = takes_from_left(f) ? l[1] - f.S_l : 0;
+    const double w_r = takes_from_right(f) ? f.S_r - r[1] : 0;
     double until = Schedule::never;
     for (std::size_t k = 0; k < watched; ++k) {
-        const double allowed = options_.allowed[k];
-        const Moments from_l = piece(takes_from_left(f) ? l[1] - f.S_l : 0, l[k] - f.base[k]);
-        const Moments from_r = piece(takes_from_right(f) ? f.S_r - r[1] : 0, r[k] - f.base[k]);
-        if (f.tagged && (k == 0 || k == 3)) {
-            until = std::min(
-                {until, time_until(moments(f.l, k), from_l, allowed), time_until(moments(f.r, k), from_r, allowed)});
-        } else {
-            Moments rate = from_l + from_r;
-            const Moments now = watched_moments(f, k);
-            if ((f.end == LineEnd::Kind::wall && k == 1) || (f.end == LineEnd::Kind::free && k == 2)) rate.s = 0;
-            until = std::min(until, time_until(now, rate, allowed));
+        const Moments from_l = piece(w_l, l[k] - f.base[k]);
+        const Moments from_r = piece(w_r, r[k] - f.base[k]);
+        if (apart(f, k)) {
+            until = earlier(until, moments(f.l, k), from_l, 0, allowed_square_[k]);
+            until = earlier(until, moments(f.r, k), from_r, 0, allowed_square_[k]);
+            continue;
         }
+        Moments now = moments(f.l, k);
+        if (f.tagged) now = now + moments(f.r, k);
+        Moments rate = from_l + from_r;
+        double A = w_l * w_r * ((l[k] - r[k]) * (l[k] - r[k]));
+        if (odd(f, k)) {
+            now.s = rate.s = 0;
+            A = rate.w * rate.q;
+        }
+        until = earlier(until, now, rate, A, allowed_square_[k]);
     }
     return until;
 }
 
 /// When the core of a front's right cell will be used up, and the earlier of that and its chop-out.
 template <class M>
-void Line<M>::reschedule(int id) {
+inline void Line<M>::reschedule(int id) {
     Front& f = front(id);
     f.t_vanish = Schedule::never;
     const int next = cell(f.right).right;

@@ -14,18 +14,23 @@ inline Watched watched_of(const Flow& f) { return {f.rho, f.v, f.p, f.T}; }
 struct Cell {
     Contents q;        ///< of a unit of length
     Flow f;            ///< what follows from them
-    int left = -1;     ///< front on that side; -1 where the cell goes on without end
+    int left = -1;     ///< front on that side; -1 where the cell goes on without end; of an unused cell the next one
     int right = -1;    ///< the same
     double width = 0;  ///< when it was put back [m]
 };
+
+/// What comes in from a length w of a cell that pushes with the impulse `push` meanwhile.
+inline Contents swept(const Cell& c, double w, double push) {
+    return {w * c.q.mass, w * c.q.momentum + push, w * c.q.energy + push * c.f.v};
+}
 
 /// What came into a front from one side: contents; and for the metric the length that was swept and the first two
 /// moments over it of the watched fields, relative to the front's base.
 struct Side {
     Contents content;
-    double width;
-    Watched sum;
-    Watched square;
+    double width = 0;
+    Watched sum{};
+    Watched square{};
 };
 
 /// A disturbed interval [x_l, x_r] between two cells, as it was at time t. Its edges run at S_l and S_r into cells that
@@ -34,7 +39,8 @@ struct Front {
     enum class Kind {
         fresh,  ///< born at t without width or contents: l and r hold nothing yet
         open,   ///< it has a past: l and r hold what came in until t
-        kept    ///< a wave of no width that two states with the right jump send along: nothing is disturbed
+        kept,   ///< a wave of no width that two states with the right jump send along: nothing is disturbed
+        unused  ///< a free slot: `left` is the next one
     };
     Kind kind = Kind::fresh;
     bool tagged = false;                           ///< carries a contact, and keeps the contents of both sides apart
@@ -47,11 +53,11 @@ struct Front {
     double t_vanish;  ///< when its right cell will have no core left
     double x_0, t_0;  ///< where and when the contact was born
     double x_c, v_c;  ///< where it is at t, and how fast
-    Side l, r;
+    Side l, r;        ///< where nothing is tagged, l holds what came from both sides
     Watched base;
 
     double width() const { return x_r - x_l; }
-    Contents content() const { return l.content + r.content; }
+    Contents content() const { return tagged ? l.content + r.content : l.content; }
 };
 
 }  // namespace ordo::solvers::rrm

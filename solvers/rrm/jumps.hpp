@@ -15,6 +15,15 @@ struct State {
     Flow f;
 };
 
+/// The same for an observer who moves with -V: near rest the internal energy keeps its digits.
+inline State boosted(const State& s, double V) {
+    State moved = s;
+    moved.f.v += V;
+    moved.q.momentum += s.q.mass * V;
+    moved.q.energy += V * (s.q.momentum + 0.5 * s.q.mass * V);
+    return moved;
+}
+
 /// The state behind a jump, and the jump's speed.
 struct Jump {
     State behind;
@@ -26,17 +35,17 @@ enum class Toward : int { left = -1, right = 1 };
 
 /// Through one jump from `ahead` to the density rho. With v = 1/rho and internal energy e a unit of mass,
 ///   e - e_0 = -(p + p_0) (v - v_0) / 2,   m^2 = -(p - p_0) / (v - v_0),
-/// linear in p because p is linear in the internal energy at fixed density. Exact to round-off; behind an expansion
-/// entropy falls by O((rho - rho_0)^3).
+/// linear in p because p is linear in the internal energy at fixed density: p divided by 1 + G (1 - rho / rho_0) / 2,
+/// `divisor`, which whoever knows it to more digits gives. Exact to round-off; behind an expansion entropy falls by
+/// O((rho - rho_0)^3).
 template <class M>
-Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward) {
+Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward, double divisor) {
     const auto& [q0, f0] = ahead;
     const double side = static_cast<double>(toward);
     const double v0 = 1 / f0.rho;
     const double dv = 1 / rho - v0;
     const double e0 = (q0.energy - 0.5 * q0.momentum * f0.v) / f0.rho;
-    const double half_G = 0.5 * medium.grueneisen() * rho;
-    const double p = (medium.flow({rho, 0, 0}).p + 2 * half_G * (e0 - 0.5 * f0.p * dv)) / (1 + half_G * dv);
+    const double p = (medium.flow({rho, 0, 0}).p + medium.grueneisen() * rho * (e0 - 0.5 * f0.p * dv)) / divisor;
     const bool faint = std::abs(dv) < 1e-8 * v0;  // where the quotient would be round-off
     const double mass_flux = faint ? f0.rho * f0.a : std::sqrt(std::max(0.0, (f0.p - p) / dv));
     const double v = f0.v - side * mass_flux * dv;
@@ -44,6 +53,11 @@ Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward
     Flow f = medium.flow({rho, 0, e});  // at rest: no kinetic energy to lose digits to
     f.v = v;
     return {{{rho, rho * v, e + 0.5 * rho * v * v}, f}, f0.v + side * mass_flux * v0};
+}
+
+template <class M>
+Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward) {
+    return through_jump(medium, ahead, rho, toward, 1 + 0.5 * medium.grueneisen() * (1 - rho / ahead.f.rho));
 }
 
 /// Strength of a wave: the density behind it. y >= 0 is a shock, with the limit (G + 2) / G of the density as y grows,
@@ -58,10 +72,12 @@ template <class M>
 Jump through_wave(const M& medium, const State& ahead, Strength wave, Toward toward, std::vector<Jump>* row = nullptr) {
     const double G = medium.grueneisen();
     const int n = wave.y < 0 ? wave.jumps : 1;
-    const double ratio = wave.y < 0 ? std::exp(2 * wave.y / ((G + 2) * n)) : (1 + wave.y) / (1 + wave.y * G / (G + 2));
+    const double limit = 1 / (1 + std::max(0.0, wave.y) * G / (G + 2));  // 0 where a shock has no more density to gain
+    const double ratio = wave.y < 0 ? std::exp(2 * wave.y / ((G + 2) * n)) : (1 + wave.y) * limit;
+    const double divisor = wave.y < 0 ? 1 + 0.5 * G * (1 - ratio) : limit;
     Jump last{ahead, 0};
     for (int i = 0; i < n; ++i) {
-        last = through_jump(medium, last.behind, last.behind.f.rho * ratio, toward);
+        last = through_jump(medium, last.behind, last.behind.f.rho * ratio, toward, divisor);
         if (row) row->push_back(last);
     }
     return last;

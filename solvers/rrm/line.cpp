@@ -17,6 +17,10 @@ Line<M>::Line(const M& medium, const LineScene& scene, const Options& options)
       ends_(scene.ends),
       bounds_{scene.edges.front(), scene.edges.back()},
       length_(scene.edges.back() - scene.edges.front()) {
+    for (std::size_t k = 0; k < per_allowed_.size(); ++k) {
+        per_allowed_[k] = 1 / options.allowed[k];
+        allowed_square_[k] = options.allowed[k] * options.allowed[k];
+    }
     fill(scene);
 }
 
@@ -29,12 +33,11 @@ void Line<M>::advance_to(double t, const Interrupt& interrupt) {
             throw Diverged("more than " + shortest(options_.most_events) +
                            " events by t = " + shortest(schedule_.first_time()) + " s; allow more, or a larger delta");
         const int id = schedule_.first();
-        const std::size_t unused = unused_fronts_.size();
         const Front& f = front(id);
         if (f.t_chop <= f.t_vanish) chop_out(id, f.t_chop);
         else use_up(f.right, f.t_vanish);
-        for (std::size_t i = unused; i < unused_fronts_.size(); ++i) schedule_.set(unused_fronts_[i], Schedule::never);
     }
+    if (std::isnan(schedule_.first_time())) throw Diverged("the time of an event is not a number");
 }
 
 template class Line<IdealGas>;

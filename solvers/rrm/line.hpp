@@ -7,6 +7,7 @@
 #include "solvers/media/line.hpp"
 #include "solvers/rrm/error_metric.hpp"
 #include "solvers/rrm/jumps.hpp"
+#include "solvers/rrm/schedule.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::solvers::rrm {
@@ -79,6 +80,7 @@ private:
         double from, to;
         State state;
         int fan;
+        std::array<double, 2> birth;  ///< of that front: place and time
     };
     /// New cells side by side, and the places where they meet their neighbours.
     struct Row {
@@ -91,10 +93,11 @@ private:
     // storage.hpp: cells and fronts by number
     int add_cell(const State& state, double width);
     int add_front();
-    void release_cell(int c) { unused_cells_.push_back(c); }
+    void release_cell(int c);
     void release_front(int f);
+    void silence(int f);
     int side_of(int L, int R) const { return is_ghost(L, 0) ? 0 : is_ghost(R, 1) ? 1 : -1; }
-    bool is_ghost(int c, std::size_t side) const { return c >= 0 && c == ghosts_[side]; }
+    bool is_ghost(int c, std::size_t side) const { return c == ghosts_[side]; }
     LineEnd::Kind end_between(int L, int R) const;
     std::size_t end_of(const Front& f) const { return f.right == ghosts_[1] ? 1 : 0; }  ///< where it lies at one
     bool one_sided(const Front& f) const { return f.end == LineEnd::Kind::wall || f.end == LineEnd::Kind::free; }
@@ -104,34 +107,46 @@ private:
     void fill(const LineScene& scene);
 
     // find.hpp: when is which front active
-    void set_speeds(Front& f) const;
+    void set_speeds(Front& f, const Flow& l, const Flow& r) const;
+    void set_contact_speed(Front& f, const Flow& l, const Flow& r) const;
     void start(int id, int L, int R, double x, double t, bool tagged);
-    double fresh_until(const Front& f) const;
-    double open_until(const Front& f) const;
-    Moments watched_moments(const Front& f, std::size_t k) const;
-    double excess(const Front& f) const;
+    double fresh_until(const Front& f, const Watched& l, const Watched& r) const;
+    double end_until(Front& f) const;
+    double open_until(const Front& f, const Watched& l, const Watched& r) const;
+    double square_of_error(const Front& f, std::size_t k, const Moments& l, const Moments& r) const;
+    bool too_much(const Front& f, const Side& l, const Side& r) const;
+    /// Fields that a contact keeps apart, and those that a wall or a free end mirrors with the other sign.
+    static bool apart(const Front& f, std::size_t k) { return f.tagged && (k == 0 || k == 3); }
+    static bool odd(const Front& f, std::size_t k) {
+        return (f.end == LineEnd::Kind::wall && k == 1) || (f.end == LineEnd::Kind::free && k == 2);
+    }
     void reschedule(int id);
     void reschedule_from(int L, int R);
     void mirror_ghost(int L, int R);
 
     // chop_out.hpp: what is taken out
+    template <bool with_moments = false>
     void bring(Front& f, double t) const;
-    void bring_with_moments(Front& f, double t) const;
     void chop_out(int id, double t);
     void use_up(int c, double t);
+    void share_rest(Front& f1, Front& f2, const Contents& q) const;
+    void untag(Front& f) const;
     bool unite(int c, double t);
-    Front united(const Front& f1, const Front& f2) const;
     void chop_both(int c, double t);
     Contents passed_end(const Front& f, double t) const;
     Contents owed_by_wall(const Front& f) const;
 
     // flatten.hpp: what it becomes
-    State flat(const Contents& total, double width, double x, double t) const;
+    State flat(const Front& f) const;
     Flattened flattened(const Front& f) const;
     void add_flattened(Row& row, const Front& f);
 
     // put_back.hpp: new cells, and the fronts between them
     void put_back(int L, int R, Row row, double t, bool wraps);
+    bool prescribes(int c, std::size_t side) const {
+        return is_ghost(c, side) && ends_[side].kind == LineEnd::Kind::prescribed;
+    }
+    int fill_up(int ghost, double from, double to, double t);
     void clip(Row& row, std::size_t side, int ghost, int inner, double t);
     void meet(int L, int R, double x, double t, bool tagged, bool wraps);
     double room(int c, double x, double t, bool on_left) const;
@@ -151,6 +166,7 @@ private:
 
     M medium_;
     Options options_;
+    Watched per_allowed_, allowed_square_;  ///< 1 / allowed and its square
     std::array<LineEnd, 2> ends_;
     std::array<double, 2> bounds_;  ///< of the line at t = 0 [m]
     double length_;                 ///< between them [m]
@@ -158,7 +174,8 @@ private:
     std::array<int, 2> outer_{-1, -1};  ///< the first and the last cell, ghosts too
     std::vector<Cell> cells_;
     std::vector<Front> fronts_;
-    std::vector<int> unused_cells_, unused_fronts_;
+    int unused_cell_ = -1;   ///< the first of a chain
+    int unused_front_ = -1;  ///< the same
     std::vector<Jump> row_left_, row_right_;
     Schedule schedule_;
     Counts counts_;

@@ -1,7 +1,9 @@
 #include "solvers/rrm/options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -9,13 +11,20 @@
 namespace ordo::solvers::rrm {
 namespace {
 
-/// Sizes of the watched fields in the initial data, the same for every observer that moves uniformly.
+/// Sizes of the watched fields in the initial data and at the ends, the same for every observer that moves uniformly.
 Watched sizes(const LineScene& scene) {
     Watched size{};
     double slowest = std::numeric_limits<double>::infinity();
     double fastest = -slowest;
     double sound = 0;
-    for (const Contents& q : scene.pieces) {
+    std::vector<Contents> states = scene.pieces;
+    for (const LineEnd& end : scene.ends) {
+        if (end.kind == LineEnd::Kind::prescribed) states.push_back(end.outside);
+        if (end.kind != LineEnd::Kind::wall) continue;
+        slowest = std::min(slowest, end.velocity);
+        fastest = std::max(fastest, end.velocity);
+    }
+    for (const Contents& q : states) {
         const Flow f = std::visit([&](const auto& medium) { return medium.flow(q); }, scene.medium);
         slowest = std::min(slowest, f.v);
         fastest = std::max(fastest, f.v);
@@ -34,7 +43,7 @@ const std::array<const char*, 4> changes{"density_change", "velocity_change", "p
 Parameter change(const char* name, const char* unit, const char* field) {
     return without_default(number(name, unit, 1, positive,
                                   std::string("flattening error of the ") + field +
-                                      " that a chop-out may make at delta = 1; absent: its size in the initial data "
+                                      " that a chop-out may make at delta = 1; absent: its size in the data "
                                       "times a tenth of the line's length"));
 }
 
@@ -78,6 +87,11 @@ void check(const LineScene& scene) {
     for (const LineEnd& end : scene.ends) {
         if (end.kind == LineEnd::Kind::prescribed && !physical(end.outside))
             refuse("the state prescribed at an end must have positive density and speed of sound");
+    }
+    for (const LineEnd& end : scene.ends) {
+        if (end.kind == LineEnd::Kind::free && std::holds_alternative<IdealGas>(scene.medium))
+            refuse(
+                "a gas has no free end: it would expand into the vacuum; nearest: a piece of thin gas and a reservoir");
     }
     const auto periodic = [&](std::size_t side) { return scene.ends[side].kind == LineEnd::Kind::periodic; };
     if (periodic(0) != periodic(1)) refuse("one end is periodic, so the other one must be");

@@ -9,12 +9,28 @@ void Line<M>::put_back(int L, int R, Row row, double t, bool wraps) {
     if (L == ghosts_[0] && L >= 0) clip(row, 0, L, R, t);
     if (R == ghosts_[1] && R >= 0) clip(row, 1, R, L, t);
     int before = L;
+    if (prescribes(L, 0) && row.borders[0] > bounds_[0]) before = fill_up(L, bounds_[0], row.borders[0], t);
     for (int i = 0; i < row.n; ++i) {
         meet(before, row.cells[at(i)], row.borders[at(i)], t, row.tags[at(i)], false);
         before = row.cells[at(i)];
     }
-    meet(before, R, row.borders[at(row.n)], t, row.tags[at(row.n)], wraps);
+    const double x = row.borders[at(row.n)];
+    if (prescribes(R, 1) && x < bounds_[1]) {
+        const int filled = add_cell({cell(R).q, cell(R).f}, bounds_[1] - x);
+        meet(before, filled, x, t, row.tags[at(row.n)], false);
+        meet(filled, R, bounds_[1], t, false, false);
+    } else {
+        meet(before, R, x, t, row.tags[at(row.n)], wraps);
+    }
     reschedule_from(L, R);
+}
+
+/// Where the outside has come in, it is a cell like others, so that its end stays where it is.
+template <class M>
+int Line<M>::fill_up(int ghost, double from, double to, double t) {
+    const int filled = add_cell({cell(ghost).q, cell(ghost).f}, to - from);
+    meet(ghost, filled, from, t, false, false);
+    return filled;
 }
 
 /// At a prescribed end the ghost is put back up to the end's place: what lies beyond it leaves the line.

@@ -7,8 +7,8 @@
 
 namespace ordo::solvers::rrm {
 
-/// A tournament over slots: each inner node holds the earlier of its two children's times. A change climbs only as far
-/// as it matters, mostly a step or two; finding the first slot goes down from the root, log2(n) comparisons.
+/// A tournament over slots: each inner node holds the earlier of its two children's times. A change climbs to the root,
+/// for a processor guesses badly how far it matters; the first slot is found down from there. Both are log2(n) steps.
 class Schedule {
 public:
     static constexpr double never = std::numeric_limits<double>::infinity();
@@ -18,18 +18,18 @@ public:
     /// The slot with the earliest time, the lowest one among equals.
     int first() const {
         std::size_t node = 1;
-        while (node < leaves_) node = times_[2 * node] == times_[node] ? 2 * node : 2 * node + 1;
+        while (node < leaves_) node = 2 * node + (times_[2 * node] != times_[node]);
         return static_cast<int>(node - leaves_);
     }
 
     void set(int slot, double time) {
         std::size_t node = leaves_ + static_cast<std::size_t>(slot);
-        times_[node] = time;
+        double* const times = times_.data();
+        times[node] = time;
         while (node > 1) {
+            time = std::min(time, times[node ^ 1]);
             node /= 2;
-            const double earlier = std::min(times_[2 * node], times_[2 * node + 1]);
-            if (times_[node] == earlier) return;
-            times_[node] = earlier;
+            times[node] = time;
         }
     }
 

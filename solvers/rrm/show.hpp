@@ -14,18 +14,19 @@ std::vector<typename Line<M>::Stretch> Line<M>::stretches(double t) const {
         if (f.kind == Front::Kind::kept || !(f.width() > 0)) return;
         const Flattened put = flattened(f);
         const double middle = put.count == 2 ? put.x : f.x_r;
-        line.push_back({f.x_l, middle, put.states[0], 0});
-        if (put.count == 2) line.push_back({middle, f.x_r, put.states[1], 0});
+        line.push_back({f.x_l, middle, put.states[0], 0, {}});
+        if (put.count == 2) line.push_back({middle, f.x_r, put.states[1], 0, {}});
     };
     double from = edges[0];
     for (int c = first;;) {
         const bool hidden =
             (is_ghost(c, 0) || is_ghost(c, 1)) && ends_[is_ghost(c, 0) ? 0 : 1].kind != LineEnd::Kind::prescribed;
         const int next = cell(c).right;
-        Front f;
+        Front f{};
         if (next >= 0) bring(f = front(next), t);
         const double to = next >= 0 ? f.x_l : edges[1];
-        if (!hidden && to > from) line.push_back({from, to, {cell(c).q, cell(c).f}, next >= 0 ? spreading(f) : 0});
+        if (!hidden && to > from)
+            line.push_back({from, to, {cell(c).q, cell(c).f}, next >= 0 ? spreading(f) : 0, {f.x_0, f.t_0}});
         if (next < 0) return line;
         show_front(f);
         if (f.wraps) return line;
@@ -55,9 +56,17 @@ std::vector<Piece> Line<M>::pieces(double t) const {
     const std::size_t n = line.size();
     const auto rise = [&](std::size_t i) { return std::abs(line[i + 1].state.f.v - line[i].state.f.v); };
     const auto fan_at = [&](std::size_t i) { return i < n && i + 1 < n ? line[i].fan : 0; };  // between i and i + 1
-    const auto inside = [&](std::size_t i) { return i > 0 && fan_at(i) != 0 && fan_at(i) == fan_at(i - 1); };
+    const auto width = [&](std::size_t i) { return line[i].to - line[i].from; };
+    const auto between = [&](std::size_t i) { return i > 0 && fan_at(i) != 0 && fan_at(i) == fan_at(i - 1); };
+    // of one fan: its jumps were born together, or it is about as wide as its neighbours; a plateau between fans is not
+    const auto inside = [&](std::size_t i) {
+        if (!between(i)) return false;
+        constexpr double much_wider = 3;
+        return line[i].birth == line[i - 1].birth || (between(i - 1) && width(i) < much_wider * width(i - 1)) ||
+               (between(i + 1) && width(i) < much_wider * width(i + 1));
+    };
     const auto node = [&](std::size_t i) {
-        return line[i].from + (line[i].to - line[i].from) * rise(i - 1) / (rise(i - 1) + rise(i));
+        return (line[i].from * rise(i) + line[i].to * rise(i - 1)) / (rise(i - 1) + rise(i));
     };
     const auto middle = [&](std::size_t i) { return 0.5 * (line[i].from + line[i].to); };
     // where the ramp over the jump between i and i + 1 begins and ends: at the edges of a fan as far

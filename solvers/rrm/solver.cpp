@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "solvers/media/fields.hpp"
 #include "solvers/rrm/options.hpp"
 #include "solvers/rrm/rrm.hpp"
@@ -60,7 +61,11 @@ class Running final : public Simulation {
 public:
     Running(const M& medium, const LineScene& scene, const Options& options, std::span<const std::string> fields)
         : scene_(scene), fields_(line_fields(scene.medium, fields)), line_(medium, scene, options) {
-        for (const Contents& q : scene.pieces) pressure_ = std::max(pressure_, std::abs(medium.flow(q).p));
+        for (const Contents& q : scene.pieces) {
+            const Flow f = medium.flow(q);
+            pressure_ = std::max(pressure_, std::abs(f.p));
+            fastest_ = std::max(fastest_, std::abs(f.v) + f.a);
+        }
     }
 
     void advance_to(double t, const Interrupt& interrupt) override {
@@ -98,16 +103,17 @@ public:
     }
 
     /// Contents now against those at the start and what came in through the ends, relative to the sum of absolute
-    /// contents and what the pressure could have brought.
+    /// contents and what the pressure could have brought: momentum p t, energy p t times the fastest wave.
     std::vector<Figure> drift() const override {
         const auto pieces = line_.pieces(t_);
         const auto places = line_.reach(t_);
         const Contents defect = sum_of(pieces, false) - line_.received(t_) - initial(places);
         const Contents size = sum_of(pieces, true);
         const double push = pressure_ * t_;
+        const double work = push * fastest_;
         return {{"mass", std::abs(defect.mass) / size.mass},
                 {"momentum", std::abs(defect.momentum) / (size.momentum + push)},
-                {"energy", std::abs(defect.energy) / (size.energy + push)}};
+                {"energy", std::abs(defect.energy) / (size.energy + work)}};
     }
 
 private:
@@ -119,8 +125,11 @@ private:
         const auto moves = [](const LineEnd& end) {
             return end.kind == LineEnd::Kind::wall || end.kind == LineEnd::Kind::free;
         };
-        return within(pieces, moves(scene_.ends[0]) ? pieces.front().from : lower,
-                      moves(scene_.ends[1]) ? pieces.back().to : upper);
+        const auto seen = within(pieces, moves(scene_.ends[0]) ? pieces.front().from : lower,
+                                 moves(scene_.ends[1]) ? pieces.back().to : upper);
+        if (seen.empty())
+            throw Diverged("at t = " + shortest(t_) + " s nothing is left of the line where it is observed");
+        return seen;
     }
 
     /// Contents at t = 0 between places that may lie beyond the ends, where the outer states go on.
@@ -141,7 +150,8 @@ private:
     LineScene scene_;
     std::vector<LineField> fields_;
     Line<M> line_;
-    double pressure_ = 0;
+    double pressure_ = 0;  ///< the largest at t = 0 [Pa]
+    double fastest_ = 0;   ///< speed of a wave at t = 0 [m/s]
     double t_ = 0;
 };
 
@@ -159,7 +169,9 @@ Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
     const auto& line = std::get<LineScene>(scene);
     check(line);
     options_from(line, options, resolution);
-    return {.h = resolution.number("delta"), .dt = 1, .points = static_cast<double>(line.pieces.size())};
+    return {.h = resolution.number("delta"),
+            .dt = 1,
+            .points = static_cast<double>(line.pieces.size()) / resolution.number("delta")};
 }
 
 std::unique_ptr<Simulation> start(const Scene& scene, const Values& options, const Values& resolution,
@@ -187,6 +199,7 @@ Solver solver() {
         .width_axis = "delta",
         .width = "error control delta [-]",
         .fields = line_field_names(),
+        .fields_in = line_fields_in,
         .claim = claim,
         .accepts = is_line,
         .plan = plan,

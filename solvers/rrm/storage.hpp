@@ -5,34 +5,48 @@
 namespace ordo::solvers::rrm {
 
 template <class M>
-int Line<M>::add_cell(const State& state, double width) {
-    int c = static_cast<int>(cells_.size());
-    if (unused_cells_.empty()) {
+inline int Line<M>::add_cell(const State& state, double width) {
+    int c = unused_cell_;
+    if (c < 0) {
+        c = static_cast<int>(cells_.size());
         cells_.emplace_back();
     } else {
-        c = unused_cells_.back();
-        unused_cells_.pop_back();
+        unused_cell_ = cell(c).left;
     }
     cell(c) = {state.q, state.f, -1, -1, width};
     return c;
 }
 
 template <class M>
-int Line<M>::add_front() {
-    if (unused_fronts_.empty()) {
-        fronts_.emplace_back();
-        schedule_.reserve(fronts_.size());
-        return static_cast<int>(fronts_.size()) - 1;
+inline int Line<M>::add_front() {
+    const int f = unused_front_;
+    if (f >= 0) {
+        unused_front_ = front(f).left;
+        return f;
     }
-    const int f = unused_fronts_.back();
-    unused_fronts_.pop_back();
-    return f;
+    fronts_.emplace_back();
+    schedule_.reserve(fronts_.size());
+    return static_cast<int>(fronts_.size()) - 1;
 }
 
 template <class M>
-void Line<M>::release_front(int f) {
+inline void Line<M>::release_cell(int c) {
+    cell(c).left = unused_cell_;
+    unused_cell_ = c;
+}
+
+template <class M>
+inline void Line<M>::release_front(int f) {
     front(f).wraps = false;
-    unused_fronts_.push_back(f);
+    front(f).kind = Front::Kind::unused;
+    front(f).left = unused_front_;
+    unused_front_ = f;
+}
+
+/// A front that is no more, unless its slot is in use again, does not act.
+template <class M>
+inline void Line<M>::silence(int f) {
+    if (front(f).kind == Front::Kind::unused) schedule_.set(f, Schedule::never);
 }
 
 /// The end that lies between two neighbours; a reservoir where none does.

@@ -62,8 +62,9 @@ int Line<M>::keep(int L, int R, double x, double t, double speed) {
 template <class M>
 bool Line<M>::send_waves(int L, int R, double x, double t, bool wraps, double length) {
     if (const int side = side_of(L, R); side >= 0) return send_from_end(at(side), L, R, x, t, length);
-    const State l{cell(L).q, cell(L).f};
-    const State r{cell(R).q, cell(R).f};
+    const double V = 0.5 * (cell(L).f.v + cell(R).f.v);  // at rest with both
+    const State l = boosted({cell(L).q, cell(L).f}, -V);
+    const State r = boosted({cell(R).q, cell(R).f}, -V);
     auto meeting = met(medium_, l, r);
     if (!meeting) return false;
     meeting =
@@ -80,15 +81,16 @@ bool Line<M>::send_waves(int L, int R, double x, double t, bool wraps, double le
     int before = L;
     int last = -1;
     const auto wave = [&](int to, double speed) {
-        last = keep(before, to, x, t, speed);
+        last = keep(before, to, x, t, speed + V);
         before = to;
     };
-    for (const Jump& jump : row_left_) wave(add_cell(jump.behind, 0), jump.speed);
+    const auto put = [&](const State& state) { return add_cell(boosted(state, V), 0); };
+    for (const Jump& jump : row_left_) wave(put(jump.behind), jump.speed);
     const State& a = still_left ? l : row_left_.back().behind;
     const State& b = still_right ? r : row_right_.back().behind;
-    if (still_right || !alike(a.f, b.f)) wave(still_right ? R : add_cell(b, 0), 0.5 * (a.f.v + b.f.v));
+    if (still_right || !alike(a.f, b.f)) wave(still_right ? R : put(b), 0.5 * (a.f.v + b.f.v));
     for (std::size_t i = row_right_.size(); i-- > 0;)
-        wave(i > 0 ? add_cell(row_right_[i - 1].behind, 0) : R, row_right_[i].speed);
+        wave(i > 0 ? put(row_right_[i - 1].behind) : R, row_right_[i].speed);
     front(last).wraps = wraps;
     return true;
 }

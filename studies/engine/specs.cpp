@@ -49,6 +49,11 @@ std::string text_of_point(const Point& point) {
     return text;
 }
 
+/// Whether it has a time step to choose; iterations and events have none.
+bool takes_steps(const solvers::Solver& solver) {
+    return find_parameter(solver.resolution, "dt") || find_parameter(solver.resolution, "courant");
+}
+
 RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& point, const solvers::Scene& problem,
                 const Range& times) {
     const auto& solver = solvers::solver_named(choice.name, "");
@@ -67,6 +72,8 @@ RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& poi
     } catch (const InputError& error) {
         throw InputError(where, error.what());
     }
+    if (study.measure.until != Until::exact && !takes_steps(solver))
+        throw InputError(where, "solver " + solver.name + " takes no steps, so measure.until must be exact");
     const double steps = study.measure.until == Until::steps ? study.measure.at : study.measure.at / spec.plan.dt;
     if (!(steps < most_steps)) throw InputError(where, "asks for more than " + shortest(most_steps) + " steps");
     spec.t_end = end_time(study.measure, spec.plan.dt);

@@ -1,51 +1,14 @@
-// A step allocates nothing. This file replaces the global operator new of the whole test program by one that counts.
-#include <cstdlib>
-#include <new>
+// A step allocates nothing.
 #include <string>
 
+#include "tests/allocations.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/mpm/variants.hpp"
-
-namespace {
-
-thread_local long allocations = 0;
-
-void* counted(std::size_t size, std::size_t alignment) noexcept {
-    ++allocations;
-    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-    return std::aligned_alloc(alignment, rounded == 0 ? alignment : rounded);
-}
-
-void* or_throw(void* memory) {
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
-}
-
-constexpr std::size_t ordinary = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
-constexpr std::size_t number_of(std::align_val_t alignment) { return static_cast<std::size_t>(alignment); }
-
-}  // namespace
-
-// Every form that pairs with a delete below, so that a sanitizer sees one allocator; the array forms call these.
-// Not inlined: g++ 12 takes an inlined pair for a mismatch of new and free.
-[[gnu::noinline]] void* operator new(std::size_t size) { return or_throw(counted(size, ordinary)); }
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
-    return or_throw(counted(size, number_of(alignment)));
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return counted(size, ordinary);
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-    return counted(size, number_of(alignment));
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 using namespace ordo;
 using namespace ordo::solvers;
 using namespace ordo::solvers::mpm::test;
+using ordo::test::allocations;
 
 TEMPLATE_TEST_CASE_SIG("allocation: after the first step none allocates", "[property]", ((int dim), dim), 1, 2, 3) {
     const auto scheme = GENERATE(from_range(time_schemes));
@@ -60,9 +23,9 @@ TEMPLATE_TEST_CASE_SIG("allocation: after the first step none allocates", "[prop
                                {"margin", 1.0}},
                               {{"cells", 4.0}, {"ppc", 2.0}, {"dt", 0.02}});
     body->advance_to(0.02, never);
-    const long before = allocations;
+    const long before = allocations();
     body->advance_to(1, never);
-    const long during = allocations - before;
+    const long during = allocations() - before;
     CHECK(during == 0);
     CHECK(body->work()[2].value > 0);  // cells were crossed
 }
@@ -78,15 +41,15 @@ TEST_CASE("allocation: variants allocate for longer rows now and then, not in ev
     scene.damping = 0.1;
     const auto body = started(scene, variant.with({{"margin", 1.0}}), {{"cells", 4.0}, {"ppc", 2.0}, {"dt", 0.02}});
     body->advance_to(0.02, never);
-    const long before = allocations;
+    const long before = allocations();
     body->advance_to(0.4, never);
-    CHECK(allocations - before < 5);  // of 19 steps: boxes that come to touch more nodes
+    CHECK(allocations() - before < 5);  // of 19 steps: boxes that come to touch more nodes
 }
 
 TEST_CASE("allocation: the counter counts", "[alarm]") {
     const auto body =
         started(box<1>(Vec<1>(1), Face::free, uniform<1>(Vec<1>(0.5))), {}, {{"cells", 4.0}, {"dt", 0.02}});
-    const long before = allocations;
+    const long before = allocations();
     body->advance_to(0.02, [&] { return body->snapshot().points() == 0; });  // a snapshot in each step
-    CHECK(allocations > before + 5);
+    CHECK(allocations() > before + 5);
 }
