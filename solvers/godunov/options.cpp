@@ -31,7 +31,9 @@ const std::array<std::pair<const char*, SpeedEstimate>, 4> estimates{
 bool is_gas(const Medium& medium) { return std::holds_alternative<IdealGas>(medium); }
 
 SpeedEstimate speeds_from(const Medium& medium, const Values& values) {
-    if (!values.has("speeds")) return is_gas(medium) ? SpeedEstimate{PressureBased{}} : SpeedEstimate{Davis{}};
+    // estimates of the star pressure may be too low for HLL, whose mean must hold all waves
+    const bool from_pressure = is_gas(medium) && values.word("flux") == "hllc";
+    if (!values.has("speeds")) return from_pressure ? SpeedEstimate{PressureBased{}} : SpeedEstimate{Davis{}};
     if (values.word("speeds") == "pressure" && !is_gas(medium))
         throw InputError(
             "solver godunov",
@@ -80,7 +82,7 @@ std::vector<Parameter> option_parameters() {
                   {"einfeldt", "v -+ a of a weighted average too [Einfeldt1988]"},
                   {"pressure", "of a gas: that of a shock where an estimated pressure has one [ToroSpruceSpeares1994]"},
                   {"acoustic", "v_L - a_L and v_R + a_R; with hllc linearised impedances, exact for Hooke's law"}},
-                 "wave speeds of the Riemann solver; absent: pressure for a gas, davis for an elastic line")),
+                 "wave speeds of the Riemann solver; absent: pressure for a gas with hllc, else davis")),
         word("limiter", "mc",
              {{"minmod", "the smaller difference"},
               {"van_leer", "harmonic mean of the differences"},

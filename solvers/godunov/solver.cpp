@@ -23,15 +23,20 @@ public:
           start_(grid_.balance()) {}
 
     void advance_to(double t, const Interrupt& interrupt) override {
+        constexpr double most_steps = 1e9;
+        const double shortest_step = (t - t_) / most_steps;
         while (t_ < t) {
             if (interrupt()) throw Interrupted("interrupted");
             const double dt = longest_ / grid_.fastest(t_);
             const double next = t_ + dt < t ? t_ + dt : t;
+            if (next < t && dt < shortest_step)
+                throw Diverged("the time step has shrunk to " + shortest(dt) + " s at t = " + shortest(t_));
             if (next == t_) throw Diverged("the time step is lost in the time at t = " + shortest(t_));
             grid_.step(next == t ? t - t_ : dt);
             t_ = next;
             ++steps_;
         }
+        grid_.fastest(t_);  // refuses what the last step has left
     }
 
     Snapshot snapshot() const override {

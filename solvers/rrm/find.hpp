@@ -25,6 +25,7 @@ inline void Line<M>::set_speeds(Front& f, const Flow& l, const Flow& r) const {
 template <class M>
 void Line<M>::set_contact_speed(Front& f, const Flow& l, const Flow& r) const {
     const std::size_t side = end_of(f);
+    if (f.end == LineEnd::Kind::free) hurry_release(f, side);
     const Contents total = f.content();
     const double from_left = l.rho * (l.v - f.S_l);
     const double from_right = r.rho * (f.S_r - r.v);
@@ -34,6 +35,20 @@ void Line<M>::set_contact_speed(Front& f, const Flow& l, const Flow& r) const {
     if (!one_sided(f)) return;
     if (f.end == LineEnd::Kind::wall) f.v_c = ends_[side].velocity;
     (side == 0 ? f.S_l : f.S_r) = f.v_c;
+}
+
+/// A stretched line that is let go sends a shock, which outruns the sound of what lies before it.
+template <class M>
+void Line<M>::hurry_release(Front& f, std::size_t side) const {
+    const Cell& inner = cell(side == 0 ? f.right : f.left);
+    if (!(inner.f.p < 0)) return;
+    const Toward inwards = side == 0 ? Toward::right : Toward::left;
+    const State state{inner.q, inner.f};
+    const auto wave = released(medium_, state, inwards, {first_strength(medium_, inner.f, -inner.f.p), 1});
+    if (!wave) return;
+    const double speed = through_wave(medium_, state, *wave, inwards).speed;
+    if (side == 0) f.S_r = std::max(f.S_r, speed);
+    else f.S_l = std::min(f.S_l, speed);
 }
 
 /// A wall mirrors the cell before it, in its own frame; beyond a free end is the same without pressure.

@@ -97,9 +97,10 @@ private:
     void release_front(int f);
     void silence(int f);
     int side_of(int L, int R) const { return is_ghost(L, 0) ? 0 : is_ghost(R, 1) ? 1 : -1; }
-    bool is_ghost(int c, std::size_t side) const { return c == ghosts_[side]; }
+    bool is_ghost(int c, std::size_t side) const { return c >= 0 && c == ghosts_[side]; }
     LineEnd::Kind end_between(int L, int R) const;
     std::size_t end_of(const Front& f) const { return f.right == ghosts_[1] ? 1 : 0; }  ///< where it lies at one
+    bool lies_at(const Front& f, std::size_t side) const { return is_ghost(side == 0 ? f.left : f.right, side); }
     bool one_sided(const Front& f) const { return f.end == LineEnd::Kind::wall || f.end == LineEnd::Kind::free; }
     bool takes_from_left(const Front& f) const { return !one_sided(f) || f.right == ghosts_[1]; }
     bool takes_from_right(const Front& f) const { return !one_sided(f) || f.left == ghosts_[0]; }
@@ -109,6 +110,7 @@ private:
     // find.hpp: when is which front active
     void set_speeds(Front& f, const Flow& l, const Flow& r) const;
     void set_contact_speed(Front& f, const Flow& l, const Flow& r) const;
+    void hurry_release(Front& f, std::size_t side) const;
     void start(int id, int L, int R, double x, double t, bool tagged);
     double fresh_until(const Front& f, const Watched& l, const Watched& r) const;
     double end_until(Front& f) const;

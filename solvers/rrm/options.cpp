@@ -11,6 +11,12 @@
 namespace ordo::solvers::rrm {
 namespace {
 
+/// A temperature that is little for a medium: a thousandth of what holds as much energy as its stiffness.
+constexpr auto coldest = []<class M>(const M& medium) {
+    if constexpr (M::has_temperature) return 1e-3 * medium.E / medium.c_v;
+    else return 1.0;
+};
+
 /// Sizes of the watched fields in the initial data and at the ends, the same for every observer that moves uniformly.
 Watched sizes(const LineScene& scene) {
     Watched size{};
@@ -34,7 +40,7 @@ Watched sizes(const LineScene& scene) {
         size[3] = std::max(size[3], std::abs(f.T));
     }
     size[1] = std::max(sound, fastest - slowest);
-    if (size[3] == 0) size[3] = 1;
+    size[3] = std::max(size[3], std::visit(coldest, scene.medium));
     return size;
 }
 

@@ -121,7 +121,7 @@ std::array<double, 2> Line<M>::reach(double t) const {
         Front f = front(id);
         bring(f, t);
         const double edge = side == 0 ? f.x_l : f.x_r;
-        if (one_sided(f)) places[side] = edge;
+        if (lies_at(f, side) && one_sided(f)) places[side] = edge;
         else places[side] = side == 0 ? std::min(places[0], edge) - length_ : std::max(places[1], edge) + length_;
     }
     return places;
@@ -135,7 +135,7 @@ Contents Line<M>::received(double t) const {
     for (const std::size_t side : {0, 1}) {
         const int c = outer_[side];
         const int id = side == 0 ? cell(c).right : cell(c).left;
-        if (id >= 0 && front(id).end != LineEnd::Kind::reservoir) {
+        if (id >= 0 && lies_at(front(id), side)) {
             Front f = front(id);
             sum += passed_end(f, t);
             bring(f, t);

@@ -125,6 +125,7 @@ private:
         const auto moves = [](const LineEnd& end) {
             return end.kind == LineEnd::Kind::wall || end.kind == LineEnd::Kind::free;
         };
+        if (pieces.empty()) throw Diverged("at t = " + shortest(t_) + " s nothing is left of the line");
         const auto seen = within(pieces, moves(scene_.ends[0]) ? pieces.front().from : lower,
                                  moves(scene_.ends[1]) ? pieces.back().to : upper);
         if (seen.empty())

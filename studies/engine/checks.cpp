@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/text.hpp"
 #include "studies/engine/judge.hpp"
@@ -119,6 +120,15 @@ Check ends_check(const Result& result) {
     return check;
 }
 
+/// Abscissae of all that the runs count.
+std::vector<std::string> counters_of(const Result& result) {
+    std::set<std::string> names;
+    for (const auto& run : result.runs) {
+        for (const auto& [name, value] : run.work) names.insert("1/" + name);
+    }
+    return {names.begin(), names.end()};
+}
+
 Check published_check(const Result& result, const Published& table) {
     std::size_t agree = 0;
     for (const auto& match : result.published) agree += match.table == table.id && match.agrees;
@@ -133,6 +143,12 @@ Check published_check(const Result& result, const Published& table) {
 
 std::vector<Check> checks_of(const Result& result) {
     std::vector<Check> checks{ends_check(result)};
+    for (const auto& abscissa : result.study.measure.orders_against) {
+        const auto counts = [&](const Run& run) { return !std::isnan(run.at(abscissa)); };
+        if (!result.runs.empty() && std::ranges::none_of(result.runs, counts))
+            checks.push_back({"orders against " + abscissa, "all runs", "rule of the house", Verdict::fail,
+                              "no run counts it; counted are " + joined(counters_of(result))});
+    }
     for (const auto& expectation : result.study.expect) {
         if (expectation.kind == Expectation::Kind::order) check_orders(result, expectation, checks);
         else check_bounds(result, expectation, checks);

@@ -166,3 +166,24 @@ TEST_CASE("rrm: gas that rushes in at both ends [Walker2012, fig. 41]", "[publis
         CHECK(std::abs(value_at(after, "velocity", -0.3) + 0.090927) < 10 * close);
     }
 }
+
+TEST_CASE("rrm: the whole line between its ends is shown, however few fronts it has", "[property]") {
+    const IdealGas gas;
+    const ElasticMedium<LogarithmicEnergy> bar;
+    const std::vector<LineScene> scenes{
+        {gas, {0, 5}, {gas.contents(1, -0.2, 1)}, {LineEnd{Kind::wall}, LineEnd{}}},
+        {gas, {-5, 0}, {gas.contents(1, 0.2, 1)}, {LineEnd{}, LineEnd{Kind::wall}}},
+        {bar, {0, 5}, {bar.contents(3.9, 0, 1)}, {LineEnd{Kind::free}, LineEnd{}}},
+        {bar, {0, 5}, {bar.contents(1.5, 0, 0)}, {LineEnd{Kind::free}, LineEnd{}}}};  // cold: no temperature to compare
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        for (const auto& keep : keeps) {
+            for (const double delta : {1.0, 1e-3}) {
+                CAPTURE(i, keep, delta);
+                const Snapshot shot = at(0.3, scenes[i], {{"keep", keep}}, delta);
+                const bool left = scenes[i].ends[0].kind != Kind::reservoir;
+                CHECK((left ? shot.edges.back() : shot.edges.front()) == (left ? 5 : -5));
+                if (i < 2) CHECK((left ? shot.edges.front() : shot.edges.back()) == Approx(0).margin(1e-14));
+            }
+        }
+    }
+}

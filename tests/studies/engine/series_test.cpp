@@ -45,6 +45,16 @@ TEST_CASE("an order against counted work is fitted against one over it", "[unit]
     REQUIRE(result.checks.size() == 2);  // all runs end; the order against h, and no other
 }
 
+TEST_CASE("a counter that no run has is no abscissa", "[alarm]") {
+    const Study study = counting_study("h");
+    auto runs = counting_runs(study);
+    for (auto& run : runs) run.work = {{"step", 1}};
+    const Result result = judged(study, runs);
+    CHECK(result.verdict == Verdict::fail);
+    CHECK(result.checks[1].claim == "orders against 1/steps");
+    CHECK_THAT(result.checks[1].found, ContainsSubstring("counted are 1/step"));
+}
+
 TEST_CASE("an expectation speaks of the abscissa that it names", "[alarm]") {
     const Study study = counting_study("1/steps");
     auto runs = counting_runs(study);
