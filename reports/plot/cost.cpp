@@ -88,7 +88,7 @@ std::string counted_in(const Run& run) {
         return found == run.work.end() ? std::string() : found->name;
     };
     std::string unit = first([](const std::string& name) { return name.ends_with("_steps"); });
-    for (const char* plain : {"iterations", "chop_outs", "steps"}) {
+    for (const char* plain : {"iterations", "chop_outs", "cell_updates", "steps"}) {
         if (unit.empty()) unit = first([&](const std::string& name) { return name == plain; });
     }
     return unit;

@@ -8,13 +8,13 @@
 
 namespace ordo::reports {
 
-/// time: thread time [s] of the whole run (set-up, steps and the measuring of errors), once, on the machine of the
+/// time: thread time [s] of the solver (set-up and steps, not the measuring of errors), once, on the machine of the
 /// report. work: what the solver counts, the same on every machine.
 enum class Cost { time, work };
 std::string text_of(Cost cost);
 
 /// Name of the figure in which a run counts its work: the first that ends in "_steps" (a particle or an element in one
-/// step), else "iterations", "chop_outs" or "steps"; "" where it counts none of them.
+/// step), else "iterations", "chop_outs", "cell_updates" or "steps"; "" where it counts none of them.
 std::string counted_in(const studies::Run& run);
 
 /// Thread time [s] or counted work; NaN where the run has none.

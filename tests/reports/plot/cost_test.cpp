@@ -63,6 +63,8 @@ TEST_CASE("cost plot: work is what the solver counts", "[unit]") {
     CHECK(counted_in(counting({{"steps", 1}, {"particle_steps", 2}, {"iterations", 3}})) == "particle_steps");
     CHECK(counted_in(counting({{"steps", 1}, {"iterations", 3}})) == "iterations");
     CHECK(counted_in(counting({{"cell_crossings", 1}, {"steps", 2}})) == "steps");
+    CHECK(counted_in(counting({{"steps", 2}, {"cell_updates", 200}})) == "cell_updates");
+    CHECK(counted_in(counting({{"unions", 2}, {"chop_outs", 3}})) == "chop_outs");
     CHECK(counted_in(counting({{"cell_crossings", 1}})).empty());
     CHECK(std::isnan(cost_of(counting({{"cell_crossings", 1}}), Cost::work)));
 }
