@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "oracles/lines/gas_record.hpp"
+#include "oracles/riemann/gas_record.hpp"
 
 namespace ordo::oracles {
 namespace {

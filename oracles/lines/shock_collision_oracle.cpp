@@ -1,6 +1,6 @@
 // shock_collision as a line of the catalogue: declarations, constants, and how to fill in the numbers.
-#include "oracles/lines/gas_record.hpp"
 #include "oracles/lines/shock_collision.hpp"
+#include "oracles/riemann/gas_record.hpp"
 
 namespace ordo::oracles {
 namespace {

@@ -4,14 +4,11 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "oracles/riemann/gas_record.hpp"
 #include "oracles/riemann/riemann_gas.hpp"
 
 namespace ordo::oracles {
 namespace {
-
-const std::vector<FieldInfo> gas_fields{{"density", "kg/m^3", 0},      {"velocity", "m/s", 1},
-                                        {"pressure", "Pa", 0},         {"energy", "J/kg", 0},
-                                        {"momentum", "kg/(m^2 s)", 1}, {"total_energy", "J/m^3", 0}};
 
 const char* word_of(GasWave::Kind kind) {
     switch (kind) {
@@ -105,7 +102,7 @@ Exact bind(const Values& values) {
             .coordinates = Coordinates::spatial,
             .lower = {-furthest},
             .upper = {furthest},
-            .fields = gas_fields,
+            .fields = gas_fields(),
             .sample = along_a_line([problem](double x, double t) { return problem.at(x, t).row(); }),
             .averages = over_cells([problem](double a, double b, double t) { return problem.mean(a, b, t).row(); }),
             .jumps = [problem](double t) { return problem.jumps(t); },
@@ -158,7 +155,7 @@ Oracle riemann_gas() {
              number("p_inf_L", "Pa", 0, at_least(0), "stiffness of the left gas; 0 is an ideal gas"),
              number("p_inf_R", "Pa", 0, at_least(0), "stiffness of the right gas; 0 is an ideal gas"),
              number("x0", "m", 0, finite, "where the gases touch at t = 0")},
-        .fields = gas_fields,
+        .fields = gas_fields(),
         .smoothness = "fields jump at shocks and contacts; fans have kinks at head and tail, and are analytic inside",
         .accuracy =
             "1e-13 of p* (of |p*| and the tension in the data, where p < 0) and of |v_L| + |v_R| + a_L + a_R; near a "

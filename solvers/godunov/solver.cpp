@@ -40,17 +40,10 @@ public:
     }
 
     Snapshot snapshot() const override {
-        const std::size_t n = grid_.size();
-        Snapshot shot{.t = t_, .dim = 1, .X = {}, .x = {}, .weights = {}, .fields = {}};
-        for (std::size_t i = 0; i < n; ++i) {
-            shot.x.push_back(0.5 * (grid_.edge(i) + grid_.edge(i + 1)));
-            shot.weights.push_back(grid_.edge(i + 1) - grid_.edge(i));
-            shot.edges.push_back(grid_.edge(i));
-        }
-        shot.edges.push_back(grid_.edge(n));
-        shot.X = shot.x;
-        for (const LineField field : fields_)
-            shot.fields.push_back(field_of_cells(medium_, field, n, [&](std::size_t i) { return grid_.mean(i); }));
+        std::vector<double> edges;
+        for (std::size_t i = 0; i <= grid_.size(); ++i) edges.push_back(grid_.edge(i));
+        Snapshot shot =
+            snapshot_of_cells(t_, std::move(edges), medium_, fields_, [&](std::size_t i) { return grid_.mean(i); });
         if (second_order_) shot.slopes = slopes();
         return shot;
     }
@@ -75,13 +68,9 @@ private:
     std::vector<Field> slopes() const {
         Grid now = grid_;
         now.reconstruct_now();
-        std::vector<Field> slopes;
-        for (const LineField field : fields_) {
-            slopes.push_back(rise_over_cells(
-                medium_, field, now.size(), [&](std::size_t i) { return now.left(i); },
-                [&](std::size_t i) { return now.right(i); }));
-        }
-        return slopes;
+        return rises_over_cells(
+            medium_, fields_, now.size(), [&](std::size_t i) { return now.left(i); },
+            [&](std::size_t i) { return now.right(i); });
     }
 
     Medium medium_;

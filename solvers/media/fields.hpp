@@ -2,6 +2,7 @@
 // The fields of a line by name, for every solver that keeps contents.
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solvers/media/medium.hpp"
@@ -64,13 +65,33 @@ Field field_of_cells(const Medium& medium, LineField field, std::size_t n, Cell 
     return found;
 }
 
-/// Its rise from the left to the right end of n cells, whose contents there are left(i) and right(i).
+/// Cells side by side between n + 1 rising edges, with mean contents mean(i), as a snapshot of uniform cells.
+template <class Mean>
+Snapshot snapshot_of_cells(double t, std::vector<double> edges, const Medium& medium, std::span<const LineField> fields,
+                           Mean mean) {
+    const std::size_t n = edges.size() - 1;
+    Snapshot shot{.t = t, .dim = 1, .X = {}, .x = {}, .weights = {}, .fields = {}};
+    for (std::size_t i = 0; i < n; ++i) {
+        shot.x.push_back(0.5 * (edges[i] + edges[i + 1]));
+        shot.weights.push_back(edges[i + 1] - edges[i]);
+    }
+    shot.X = shot.x;
+    shot.edges = std::move(edges);
+    for (const LineField field : fields) shot.fields.push_back(field_of_cells(medium, field, n, mean));
+    return shot;
+}
+
+/// Rises of fields from the left to the right end of n cells, whose contents there are left(i) and right(i).
 template <class Left, class Right>
-Field rise_over_cells(const Medium& medium, LineField field, std::size_t n, Left left, Right right) {
-    Field rise = field_of_cells(medium, field, n, right);
-    const Field from = field_of_cells(medium, field, n, left);
-    for (std::size_t i = 0; i < n; ++i) rise.values[i] -= from.values[i];
-    return rise;
+std::vector<Field> rises_over_cells(const Medium& medium, std::span<const LineField> fields, std::size_t n, Left left,
+                                    Right right) {
+    std::vector<Field> rises;
+    for (const LineField field : fields) {
+        const Field from = field_of_cells(medium, field, n, left);
+        rises.push_back(field_of_cells(medium, field, n, right));
+        for (std::size_t i = 0; i < n; ++i) rises.back().values[i] -= from.values[i];
+    }
+    return rises;
 }
 
 }  // namespace ordo::solvers

@@ -96,15 +96,20 @@ inline void Line<M>::start(int id, int L, int R, double x, double t, bool tagged
     f.t_chop = t + (one_sided(f) ? end_until(f) : fresh_until(f, a, b));
 }
 
-/// Two uniform pieces have the flattening error sqrt(w_l w_r) |difference|; a tagged front keeps density and
-/// temperature apart.
+/// Two uniform pieces that grow by w_l and w_r a second have the flattening error sqrt(w_l w_r) |difference|: this in
+/// units of what is allowed. A tagged front keeps density and temperature apart.
+template <class M>
+inline double Line<M>::rate_of_change(const Watched& l, const Watched& r, double w_l, double w_r, bool tagged) const {
+    double change = 0;
+    for (std::size_t k = 0; k < watched; ++k) {
+        if (!apart(tagged, k)) change = std::max(change, std::abs(l[k] - r[k]) * per_allowed_[k]);
+    }
+    return change * std::sqrt(w_l * w_r);
+}
+
 template <class M>
 inline double Line<M>::fresh_until(const Front& f, const Watched& l, const Watched& r) const {
-    double rate = 0;
-    for (std::size_t k = 0; k < watched; ++k) {
-        if (!apart(f, k)) rate = std::max(rate, std::abs(l[k] - r[k]) * per_allowed_[k]);
-    }
-    rate *= std::sqrt((l[1] - f.S_l) * (f.S_r - r[1]));
+    const double rate = rate_of_change(l, r, l[1] - f.S_l, f.S_r - r[1], f.tagged);
     return rate > 0 ? 1 / rate : Schedule::never;
 }
 
@@ -126,7 +131,7 @@ double Line<M>::end_until(Front& f) const {
 template <class M>
 inline double Line<M>::square_of_error(const Front& f, std::size_t k, const Moments& l, const Moments& r) const {
     if (!f.tagged) return odd(f, k) ? l.w * l.q : l.square();
-    if (!apart(f, k)) return (l + r).square();
+    if (!apart(f.tagged, k)) return (l + r).square();
     return l.square() + r.square() + 2 * std::sqrt(l.square() * r.square());
 }
 
@@ -148,7 +153,7 @@ inline double Line<M>::open_until(const Front& f, const Watched& l, const Watche
     for (std::size_t k = 0; k < watched; ++k) {
         const Moments from_l = piece(w_l, l[k] - f.base[k]);
         const Moments from_r = piece(w_r, r[k] - f.base[k]);
-        if (apart(f, k)) {
+        if (apart(f.tagged, k)) {
             until = earlier(until, moments(f.l, k), from_l, 0, allowed_square_[k]);
             until = earlier(until, moments(f.r, k), from_r, 0, allowed_square_[k]);
             continue;

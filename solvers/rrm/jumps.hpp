@@ -3,7 +3,9 @@
 // energy. Rarefactions are rows of small jumps, so that nothing but the jump conditions is needed.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "solvers/media/medium.hpp"

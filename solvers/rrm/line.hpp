@@ -1,7 +1,7 @@
 #pragma once
 // The line and its events: find the active front, chop out, flatten, put back.
 #include <array>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "solvers/media/line.hpp"
@@ -53,8 +53,8 @@ public:
     /// All events until t. Throws Diverged where matter becomes unphysical, and when there are too many events.
     void advance_to(double t, const Interrupt& interrupt);
 
-    std::vector<Piece> pieces(
-        double t) const;  ///< of the whole line; outer cells of a reservoir end at the line's ends
+    /// Of the whole line; an outer cell of a reservoir ends at reach(t).
+    std::vector<Piece> pieces(double t) const;
     const Counts& counts() const { return counts_; }
     /// What came in through the ends until t: mass, momentum, energy.
     Contents received(double t) const;
@@ -85,9 +85,9 @@ private:
     /// New cells side by side, and the places where they meet their neighbours.
     struct Row {
         int n = 0;
-        std::array<int, 4> cells;
-        std::array<double, 5> borders;
-        std::array<bool, 5> tags{};
+        std::array<int, 6> cells;  // two from each of two fronts, and one at each end
+        std::array<double, 7> borders;
+        std::array<bool, 7> tags{};
     };
 
     // storage.hpp: cells and fronts by number
@@ -99,7 +99,7 @@ private:
     int side_of(int L, int R) const { return is_ghost(L, 0) ? 0 : is_ghost(R, 1) ? 1 : -1; }
     bool is_ghost(int c, std::size_t side) const { return c >= 0 && c == ghosts_[side]; }
     LineEnd::Kind end_between(int L, int R) const;
-    std::size_t end_of(const Front& f) const { return f.right == ghosts_[1] ? 1 : 0; }  ///< where it lies at one
+    std::size_t end_of(const Front& f) const { return lies_at(f, 1) ? 1 : 0; }  ///< where it lies at one
     bool lies_at(const Front& f, std::size_t side) const { return is_ghost(side == 0 ? f.left : f.right, side); }
     bool one_sided(const Front& f) const { return f.end == LineEnd::Kind::wall || f.end == LineEnd::Kind::free; }
     bool takes_from_left(const Front& f) const { return !one_sided(f) || f.right == ghosts_[1]; }
@@ -112,13 +112,14 @@ private:
     void set_contact_speed(Front& f, const Flow& l, const Flow& r) const;
     void hurry_release(Front& f, std::size_t side) const;
     void start(int id, int L, int R, double x, double t, bool tagged);
+    double rate_of_change(const Watched& l, const Watched& r, double w_l, double w_r, bool tagged) const;
     double fresh_until(const Front& f, const Watched& l, const Watched& r) const;
     double end_until(Front& f) const;
     double open_until(const Front& f, const Watched& l, const Watched& r) const;
     double square_of_error(const Front& f, std::size_t k, const Moments& l, const Moments& r) const;
     bool too_much(const Front& f, const Side& l, const Side& r) const;
     /// Fields that a contact keeps apart, and those that a wall or a free end mirrors with the other sign.
-    static bool apart(const Front& f, std::size_t k) { return f.tagged && (k == 0 || k == 3); }
+    static bool apart(bool tagged, std::size_t k) { return tagged && (k == 0 || k == 3); }
     static bool odd(const Front& f, std::size_t k) {
         return (f.end == LineEnd::Kind::wall && k == 1) || (f.end == LineEnd::Kind::free && k == 2);
     }
@@ -148,7 +149,7 @@ private:
     bool prescribes(int c, std::size_t side) const {
         return is_ghost(c, side) && ends_[side].kind == LineEnd::Kind::prescribed;
     }
-    int fill_up(int ghost, double from, double to, double t);
+    void fill_up(Row& row, std::size_t side, int ghost);
     void clip(Row& row, std::size_t side, int ghost, int inner, double t);
     void meet(int L, int R, double x, double t, bool tagged, bool wraps);
     double room(int c, double x, double t, bool on_left) const;
@@ -156,6 +157,7 @@ private:
     // waves.hpp: waves of no width in place of a front
     bool worth_keeping(const Cell& l, const Cell& r, double space) const;
     Strength resolved(const State& from, Strength wave, Toward toward, double length) const;
+    std::optional<Meeting> resolved_meeting(const State& l, const State& r, double length) const;
     int keep(int L, int R, double x, double t, double speed);
     bool send_waves(int L, int R, double x, double t, bool wraps, double length);
     std::optional<double> waves_at_end(std::size_t side, const State& in, const State& out, double length);

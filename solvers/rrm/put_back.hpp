@@ -1,44 +1,52 @@
 #pragma once
 // Put back: new cells, and the fronts between them.
+#include <algorithm>
+
 #include "solvers/rrm/line.hpp"
 
 namespace ordo::solvers::rrm {
 
+/// A row of cells between L and R, and a front at each of its borders.
 template <class M>
 void Line<M>::put_back(int L, int R, Row row, double t, bool wraps) {
-    if (L == ghosts_[0] && L >= 0) clip(row, 0, L, R, t);
-    if (R == ghosts_[1] && R >= 0) clip(row, 1, R, L, t);
+    if (prescribes(L, 0)) clip(row, 0, L, R, t);
+    if (prescribes(R, 1)) clip(row, 1, R, L, t);
     int before = L;
-    if (prescribes(L, 0) && row.borders[0] > bounds_[0]) before = fill_up(L, bounds_[0], row.borders[0], t);
     for (int i = 0; i < row.n; ++i) {
         meet(before, row.cells[at(i)], row.borders[at(i)], t, row.tags[at(i)], false);
         before = row.cells[at(i)];
     }
-    const double x = row.borders[at(row.n)];
-    if (prescribes(R, 1) && x < bounds_[1]) {
-        const int filled = add_cell({cell(R).q, cell(R).f}, bounds_[1] - x);
-        meet(before, filled, x, t, row.tags[at(row.n)], false);
-        meet(filled, R, bounds_[1], t, false, false);
-    } else {
-        meet(before, R, x, t, row.tags[at(row.n)], wraps);
-    }
+    meet(before, R, row.borders[at(row.n)], t, row.tags[at(row.n)], wraps);
     reschedule_from(L, R);
 }
 
-/// Where the outside has come in, it is a cell like others, so that its end stays where it is.
+/// Where the outside has come in through a prescribed end, it is a cell like others, so that the end stays in place.
 template <class M>
-int Line<M>::fill_up(int ghost, double from, double to, double t) {
-    const int filled = add_cell({cell(ghost).q, cell(ghost).f}, to - from);
-    meet(ghost, filled, from, t, false, false);
-    return filled;
+void Line<M>::fill_up(Row& row, std::size_t side, int ghost) {
+    const double place = bounds_[side];
+    const double outer = side == 0 ? row.borders[0] : row.borders[at(row.n)];
+    const int filled = add_cell({cell(ghost).q, cell(ghost).f}, std::abs(outer - place));
+    if (side == 0) {
+        std::shift_right(row.cells.begin(), row.cells.end(), 1);
+        std::shift_right(row.borders.begin(), row.borders.end(), 1);
+        std::shift_right(row.tags.begin(), row.tags.end(), 1);
+    }
+    const int i = side == 0 ? 0 : row.n;
+    row.cells[at(i)] = filled;
+    ++row.n;
+    const int border = side == 0 ? 0 : row.n;
+    row.borders[at(border)] = place;
+    row.tags[at(border)] = false;
 }
 
 /// At a prescribed end the ghost is put back up to the end's place: what lies beyond it leaves the line.
 template <class M>
 void Line<M>::clip(Row& row, std::size_t side, int ghost, int inner, double t) {
-    if (ends_[side].kind != LineEnd::Kind::prescribed || row.n == 0) return;
     const bool left = side == 0;
     const double sign = left ? 1 : -1;
+    double& outer = left ? row.borders[0] : row.borders[at(row.n)];
+    if (sign * (outer - bounds_[side]) > 0) return fill_up(row, side, ghost);
+    if (row.n == 0) return;
     const int next = left ? cell(inner).right : cell(inner).left;  // no cell may end beyond its neighbour's core
     double place = bounds_[side];
     if (next >= 0) {
@@ -46,7 +54,6 @@ void Line<M>::clip(Row& row, std::size_t side, int ghost, int inner, double t) {
         const double edge = left ? f.x_l + f.S_l * (t - f.t) : f.x_r + f.S_r * (t - f.t);
         place = left ? std::min(place, edge) : std::max(place, edge);
     }
-    double& outer = left ? row.borders[0] : row.borders[at(row.n)];
     if (sign * (place - outer) <= 0) return;
     received_ += sign * (place - outer) * cell(ghost).q;
     outer = place;

@@ -55,7 +55,7 @@ std::vector<Piece> Line<M>::pieces(double t) const {
     const std::vector<Stretch> line = stretches(t);
     const std::size_t n = line.size();
     const auto rise = [&](std::size_t i) { return std::abs(line[i + 1].state.f.v - line[i].state.f.v); };
-    const auto fan_at = [&](std::size_t i) { return i < n && i + 1 < n ? line[i].fan : 0; };  // between i and i + 1
+    const auto fan_at = [&](std::size_t i) { return i + 1 < n ? line[i].fan : 0; };  // between i and i + 1
     const auto width = [&](std::size_t i) { return line[i].to - line[i].from; };
     const auto between = [&](std::size_t i) { return i > 0 && fan_at(i) != 0 && fan_at(i) == fan_at(i - 1); };
     // of one fan: its jumps were born together, or it is about as wide as its neighbours; a plateau between fans is not
@@ -69,8 +69,8 @@ std::vector<Piece> Line<M>::pieces(double t) const {
         return (line[i].from * rise(i) + line[i].to * rise(i - 1)) / (rise(i - 1) + rise(i));
     };
     const auto middle = [&](std::size_t i) { return 0.5 * (line[i].from + line[i].to); };
-    // where the ramp over the jump between i and i + 1 begins and ends: at the edges of a fan as far
-    // out as in, but not beyond the middle of the outer cell; a lone jump stays one
+    // where the ramp over the jump between i and i + 1 begins and ends: at the edges of a fan as far out as in, but not
+    // beyond the middle of the outer cell; a lone jump stays one
     const auto begin = [&](std::size_t i) {
         if (fan_at(i) == 0) return line[i].to;
         if (inside(i)) return node(i);

@@ -75,22 +75,13 @@ public:
 
     Snapshot snapshot() const override {
         const auto pieces = shown();
-        Snapshot shot{.t = t_, .dim = 1, .X = {}, .x = {}, .weights = {}, .fields = {}};
-        for (const Piece& p : pieces) {
-            shot.x.push_back(0.5 * (p.from + p.to));
-            shot.weights.push_back(p.to - p.from);
-            shot.edges.push_back(p.from);
-        }
-        shot.edges.push_back(pieces.back().to);
-        shot.X = shot.x;
-        for (const LineField field : fields_) {
-            const std::size_t n = pieces.size();
-            shot.fields.push_back(
-                field_of_cells(scene_.medium, field, n, [&](std::size_t i) { return pieces[i].mean; }));
-            shot.slopes.push_back(rise_over_cells(
-                scene_.medium, field, n, [&](std::size_t i) { return pieces[i].left; },
-                [&](std::size_t i) { return pieces[i].right; }));
-        }
+        std::vector<double> edges{pieces.front().from};
+        for (const Piece& p : pieces) edges.push_back(p.to);
+        Snapshot shot = snapshot_of_cells(t_, std::move(edges), scene_.medium, fields_,
+                                          [&](std::size_t i) { return pieces[i].mean; });
+        shot.slopes = rises_over_cells(
+            scene_.medium, fields_, pieces.size(), [&](std::size_t i) { return pieces[i].left; },
+            [&](std::size_t i) { return pieces[i].right; });
         return shot;
     }
 

@@ -9,11 +9,7 @@ template <class M>
 bool Line<M>::worth_keeping(const Cell& l, const Cell& r, double space) const {
     const double w_l = l.f.v - std::min(l.f.v - l.f.a, r.f.v - r.f.a);
     const double w_r = std::max(l.f.v + l.f.a, r.f.v + r.f.a) - r.f.v;
-    const Watched a = watched_of(l.f);
-    const Watched b = watched_of(r.f);
-    double change = 0;
-    for (std::size_t k = 0; k < watched; ++k) change = std::max(change, std::abs(a[k] - b[k]) / options_.allowed[k]);
-    return change * std::sqrt(w_l * w_r) * space > std::max(l.f.a, r.f.a);
+    return rate_of_change(watched_of(l.f), watched_of(r.f), w_l, w_r, false) * space > std::max(l.f.a, r.f.a);
 }
 
 /// How many jumps a wave needs so that flattening each over `length` would change no field by more than is allowed; a
@@ -34,6 +30,15 @@ Strength Line<M>::resolved(const State& from, Strength wave, Toward toward, doub
     const double strong = spread > 1e-9 ? std::abs(std::log(to.f.rho / from.f.rho)) / longest_step : 0;
     wave.jumps = static_cast<int>(std::clamp(std::ceil(std::max(std::sqrt(square), strong)), 1.0, 1e4));
     return wave;
+}
+
+/// The two waves between these states, with as many jumps as they need; nothing where none are in reach.
+template <class M>
+std::optional<Meeting> Line<M>::resolved_meeting(const State& l, const State& r, double length) const {
+    const auto coarse = met(medium_, l, r);
+    if (!coarse) return std::nullopt;
+    return met(medium_, l, r,
+               {resolved(l, coarse->left, Toward::left, length), resolved(r, coarse->right, Toward::right, length)});
 }
 
 /// A kept front between two cells.
@@ -65,11 +70,7 @@ bool Line<M>::send_waves(int L, int R, double x, double t, bool wraps, double le
     const double V = 0.5 * (cell(L).f.v + cell(R).f.v);  // at rest with both
     const State l = boosted({cell(L).q, cell(L).f}, -V);
     const State r = boosted({cell(R).q, cell(R).f}, -V);
-    auto meeting = met(medium_, l, r);
-    if (!meeting) return false;
-    meeting =
-        met(medium_, l, r,
-            {resolved(l, meeting->left, Toward::left, length), resolved(r, meeting->right, Toward::right, length)});
+    const auto meeting = resolved_meeting(l, r, length);
     if (!meeting) return false;
     ++counts_.chop_outs;
     const bool still_left = std::abs(meeting->left.y) < no_strength;
@@ -112,11 +113,7 @@ std::optional<double> Line<M>::waves_at_end(std::size_t side, const State& in, c
     }
     const State& left = side == 0 ? out : in;
     const State& right = side == 0 ? in : out;
-    auto meeting = met(medium_, left, right);
-    if (meeting)
-        meeting = met(medium_, left, right,
-                      {resolved(left, meeting->left, Toward::left, length),
-                       resolved(right, meeting->right, Toward::right, length)});
+    const auto meeting = resolved_meeting(left, right, length);
     if (!meeting) return std::nullopt;
     through_wave(medium_, in, side == 0 ? meeting->right : meeting->left, inwards, &row_right_);
     if (ends_[side].kind == LineEnd::Kind::wall) return ends_[side].velocity;

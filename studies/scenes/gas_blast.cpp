@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "oracles/blasts/sedov.hpp"
-#include "oracles/lines/gas_record.hpp"
+#include "oracles/riemann/gas_record.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/scenes/lines.hpp"
 

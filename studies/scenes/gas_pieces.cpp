@@ -1,7 +1,7 @@
 // Uniform gas in three pieces of widths 2, 1 and 3 that differ in nothing: the 213 problem. A method of cells must not
 // see the borders between them; one that books the impulse of a neighbour without end finds a velocity where there is
 // none.   [Walker2012, fig. 19]
-#include "oracles/lines/gas_record.hpp"
+#include "oracles/riemann/gas_record.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/scenes/lines.hpp"
 

@@ -1,7 +1,7 @@
 // Two uniform ideal gases that touch: the shock tube of Sod and the tests of Toro. Both gases go on without end, so
 // that the observed piece of the line need only hold the waves. Vacuum, stiffened gases and two gammas, which the
 // truth knows too, are left out: the medium is one ideal gas.   [Walker2012], [Toro2009]
-#include "oracles/lines/gas_record.hpp"
+#include "oracles/riemann/gas_record.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/scenes/lines.hpp"
 

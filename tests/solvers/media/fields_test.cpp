@@ -50,9 +50,13 @@ TEST_CASE("line fields: an elastic line has the fields of its state", "[unit]") 
 
 TEST_CASE("line fields: rises are differences between the ends of cells", "[unit]") {
     const IdealGas gas;
-    const auto rise = rise_over_cells(
-        gas, LineField::pressure, 2, [&](std::size_t i) { return gas.contents(1, 0.5, 1 + double(i)); },
+    const std::vector<LineField> fields{LineField::density, LineField::pressure};
+    const auto rises = rises_over_cells(
+        gas, fields, 2, [&](std::size_t i) { return gas.contents(1, 0.5, 1 + double(i)); },
         [&](std::size_t i) { return gas.contents(2, -1, 4 - double(i)); });
+    CHECK(rises[0].name == "density");
+    CHECK(rises[0].values[1] == Approx(1).epsilon(1e-14));
+    const Field& rise = rises[1];
     CHECK(rise.name == "pressure");
     CHECK(rise.values[0] == Approx(3).epsilon(1e-14));
     CHECK(rise.values[1] == Approx(1).epsilon(1e-14));
