@@ -66,6 +66,7 @@ Json check_json(const studies::Check& check) {
             {"claim", check.claim},
             {"subject", check.subject},
             {"found", check.found},
+            {"fault", studies::text_of(check.fault)},
             {"source", check.source}};
 }
 

@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/engine/order_fit.hpp"
+#include "studies/engine/fault.hpp"
 #include "studies/engine/study.hpp"
+#include "studies/order/order_fit.hpp"
 
 namespace ordo::studies {
 
@@ -76,7 +77,8 @@ struct Check {
     std::string subject;  ///< series and quantity, or the published table's id
     std::string source;
     Verdict verdict = Verdict::inconclusive;
-    std::string found;  ///< "1.992 [1.98, 2.00], 4 points"
+    std::string found;          ///< "1.992 [1.98, 2.00], 4 points"
+    Fault fault = Fault::none;  ///< why it does not pass
 };
 
 /// One printed value beside ours.

@@ -5,7 +5,6 @@
 #include <ctime>
 
 #include "studies/engine/measure.hpp"
-#include "studies/engine/scene_entry.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -51,8 +50,8 @@ void raise(std::vector<RunFigure>& largest, const std::vector<RunFigure>& now) {
 
 /// To the end, and the errors there; or the largest errors over the ends of all steps.
 std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const RunSpec& spec,
-                                       const oracles::Exact& exact, const solvers::Interrupt& interrupt,
-                                       double& seconds) {
+                                       const oracles::Exact& exact, const Parts& parts,
+                                       const solvers::Interrupt& interrupt, double& seconds) {
     const auto& quantities = spec.measure.quantities;
     const auto advance_to = [&](double t) {
         const Timed timed{seconds};
@@ -60,14 +59,14 @@ std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const Ru
     };
     if (!quantities.front().maximum) {
         advance_to(spec.t_end);
-        return errors_against_exact(quantities, simulation.snapshot(), exact);
+        return parts.errors(quantities, simulation.snapshot(), exact);
     }
-    std::vector<RunFigure> largest = errors_against_exact(quantities, simulation.snapshot(), exact);
+    std::vector<RunFigure> largest = parts.errors(quantities, simulation.snapshot(), exact);
     const long steps = solvers::steps_to(spec.t_end, spec.plan.dt);
     for (long k = 1; k <= steps; ++k) {
         const double t = k == steps ? spec.t_end : spec.t_end * static_cast<double>(k) / static_cast<double>(steps);
         advance_to(t);
-        raise(largest, errors_against_exact(quantities, simulation.snapshot(), exact));
+        raise(largest, parts.errors(quantities, simulation.snapshot(), exact));
     }
     return largest;
 }
@@ -83,16 +82,16 @@ bool finite(const solvers::Snapshot& shot, std::string& which) {
     return true;
 }
 
-void run_to_end(const RunSpec& spec, const solvers::Interrupt& interrupt, RunOutcome& outcome) {
-    const SceneEntry& scene = scene_named(spec.scene.name, "");
-    const auto& solver = solvers::solver_named(spec.solver.name, "");
+void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrupt& interrupt, RunOutcome& outcome) {
+    const SceneEntry& scene = parts.scene(spec.scene.name);
+    const auto& solver = parts.solver(spec.solver.name);
     const auto problem = scene.problem(spec.scene.values);
     Run& run = outcome.run;
     const auto simulation = [&] {
         const Timed timed{run.seconds};
         return solver.start(problem, spec.solver.options, spec.resolution, spec.measure.fields);
     }();
-    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), interrupt, run.seconds);
+    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), parts, interrupt, run.seconds);
     run.work = figures(simulation->work());
     run.drift = figures(simulation->drift());
     outcome.snapshot = simulation->snapshot();
@@ -102,7 +101,15 @@ void run_to_end(const RunSpec& spec, const solvers::Interrupt& interrupt, RunOut
 
 }  // namespace
 
-RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop) {
+const Parts& house_parts() {
+    static const Parts parts{
+        .scene = [](const std::string& name) -> const SceneEntry& { return scene_named(name, ""); },
+        .solver = [](const std::string& name) -> const solvers::Solver& { return solvers::solver_named(name, ""); },
+        .errors = errors_against_exact};
+    return parts;
+}
+
+RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
     RunOutcome outcome;
     Run& run = outcome.run;
     run.id = spec.id;
@@ -119,7 +126,7 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop) {
         outcome.snapshot.reset();
     };
     try {
-        run_to_end(spec, interrupt_of(spec, stop, late), outcome);
+        run_to_end(spec, parts, interrupt_of(spec, stop, late), outcome);
     } catch (const solvers::Interrupted&) {
         if (!late) throw;
         ends(Status::timed_out, "passed its time limit");

@@ -5,6 +5,7 @@
 
 #include "solvers/solver.hpp"
 #include "studies/engine/result.hpp"
+#include "studies/engine/scene_entry.hpp"
 
 namespace ordo::studies {
 
@@ -28,12 +29,21 @@ struct RunOutcome {
     std::optional<solvers::Snapshot> snapshot;
 };
 
+/// What a run is made of, by name. The house's own, unless a test puts a broken one in its place to see a gate ring.
+struct Parts {
+    std::function<const SceneEntry&(const std::string&)> scene;
+    std::function<const solvers::Solver&(const std::string&)> solver;
+    std::function<std::vector<RunFigure>(const std::vector<Quantity>&, const solvers::Snapshot&, const oracles::Exact&)>
+        errors;
+};
+const Parts& house_parts();
+
 /// The specs of a study, in the order of its sweep: solvers first, then the axes, the last one fastest.
 /// Throws InputError where scene, solver and resolution do not go together.
 std::vector<RunSpec> specs_of(const Study& study);
 
 /// Runs it. Blowing up, throwing and passing the time limit are results; only `stop` ends it by Interrupted.
-RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop);
+RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts = house_parts());
 
 /// Time at which a run is compared: `at`; the first sum of steps that reaches it; or that many steps.
 double end_time(const Measure& measure, double dt);

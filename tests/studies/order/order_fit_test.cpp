@@ -1,4 +1,4 @@
-#include "studies/engine/order_fit.hpp"
+#include "studies/order/order_fit.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>

@@ -1,4 +1,4 @@
-#include "studies/engine/order_fit.hpp"
+#include "studies/order/order_fit.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
