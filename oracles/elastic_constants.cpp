@@ -17,6 +17,7 @@ Exact bind(const Values& values) {
             .fields = {},
             .sample = [](std::span<const double>, double, std::span<double>) {},
             .jumps = no_jumps,
+            .features = no_features,
             .constants =
                 [all](std::optional<double>) {
                     return Constants{{"E", all.E}, {"nu", all.nu},         {"K", all.K},

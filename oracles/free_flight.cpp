@@ -21,7 +21,8 @@ Exact bind(const Values& values) {
             .upper = std::vector<double>(edges, values.number("L")),
             .fields = standard_fields(),
             .sample = pointwise(edges, 2 * edges + 2 * edges * edges, one_point),
-            .jumps = no_jumps};
+            .jumps = no_jumps,
+            .features = no_features};
 }
 
 }  // namespace

@@ -32,12 +32,29 @@ struct Wave {
     double right = 0;  ///< [m]
 };
 
+/// A place where a field of an exact solution on a line is not smooth, by what carries it.
+struct Feature {
+    enum class Kind {
+        shock,       ///< its characteristics run into it, so that it stays steep
+        contact,     ///< matter of two kinds side by side: it moves with them
+        linear,      ///< a wave of a linear law; nothing steepens it
+        fan_corner,  ///< the edge of a fan
+        singular     ///< a power of the distance, or the edge of a vacuum
+    };
+    Kind kind = Kind::shock;
+    double x = 0;        ///< [m]
+    int derivative = 0;  ///< the lowest one that jumps: 0 the field itself, 1 its slope (a kink), 2 its curvature
+
+    bool operator==(const Feature&) const = default;
+};
+
 /// An exact solution with its numbers filled in.
 struct Exact {
     /// All fields at n points in one call: x holds n x dim coordinates [m], t is the time [s], values receives
     /// n x width() numbers, a row a point, the fields' components in the order of `fields`. NaN where a field has no
     /// value, as velocity in a vacuum. Throws InputError for a point of the box that is not of the body.
     using Sample = std::function<void(std::span<const double> x, double t, std::span<double> values)>;
+    using Features = std::function<std::vector<Feature>(const std::string& field, double t)>;
 
     int dim = 1;
     Coordinates coordinates = Coordinates::material;
@@ -51,6 +68,8 @@ struct Exact {
     std::function<std::vector<double>(double t)> jumps;  ///< where a field is discontinuous at time t (1D) [m]
     std::function<std::vector<Wave>(double t)>
         waves{};  ///< where its waves are at t, from left to right; empty: unknown
+    /// What is not smooth in a field at t > 0; all else is analytic in x. Empty where it is not told.
+    Features features{};
     std::function<Constants(std::optional<double> t)> constants{};  ///< empty when there are none
 
     std::size_t width() const;                                          ///< numbers a point
@@ -94,6 +113,9 @@ Exact::Sample over_cells(F f) {
 
 /// `jumps` of a solution that has none.
 inline std::vector<double> no_jumps(double) { return {}; }
+
+/// `features` of a solution that is analytic in x.
+inline std::vector<Feature> no_features(const std::string&, double) { return {}; }
 
 /// One line of the catalogue: name, declarations, and how to fill in the numbers.
 struct Oracle {

@@ -88,6 +88,7 @@ Exact bind(const Values& values) {
                 return std::array{root + errors[i], std::abs(errors[i]), observed_order(errors, i)};
             }),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [problem, errors](std::optional<double>) { return constants_of(problem, errors); }};
 }
 

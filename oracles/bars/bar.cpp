@@ -17,4 +17,8 @@ void require_finite(double value, const std::string& what, const std::string& wh
     throw InputError(where, what + " is out of the range of numbers; choose smaller data");
 }
 
+Feature front_feature(const std::string& field, double x, int derivative) {
+    return {Feature::Kind::linear, x, field == "displacement" ? derivative : derivative - 1};
+}
+
 }  // namespace ordo::oracles::bars

@@ -87,6 +87,10 @@ Fields polynomial_mean(double a, double b, F f) {
            (0.5 - weight) * (f(middle - far * half) + f(middle + far * half));
 }
 
+/// What a front is in a field, where it makes that derivative of the displacement jump: of velocity, stress and strain
+/// the one before.
+Feature front_feature(const std::string& field, double x, int derivative);
+
 /// Throws InputError where sqrt(E / rho), the transit time L / c or their inverses are no ordinary numbers.
 void require_waves(double L, double E, double rho, const std::string& where);
 

@@ -65,6 +65,10 @@ Exact bind(const Values& values) {
                 .fields = standard_fields(),
                 .sample = {},
                 .jumps = no_jumps,
+                .features =
+                    [bar, sine](const std::string& field, double t) {
+                        return std::vector{bars::front_feature(field, bar.front(t), sine ? 2 : 1)};
+                    },
                 .constants = [bar](std::optional<double> t) { return constants_of(bar, t); }};
     if (sine) {
         exact.sample = bars::points_of([bar](double t) { return sine_at(bar, t); }, bar.E);

@@ -50,6 +50,7 @@ Exact bind(const Values& values) {
                 return means;
             }),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [bar](std::optional<double>) -> Constants {
                 return {{"wave_number", bar.wave_number()}, {"frequency", bar.frequency()}};
             }};

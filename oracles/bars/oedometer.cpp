@@ -73,6 +73,17 @@ Constants constants_of(const Oedometer& column, std::optional<double> t) {
     return list;
 }
 
+/// Fronts of the load and of gravity; a ramp begins and ends like s^3 in the force, s^5 in the displacement.
+std::vector<Feature> features_of(const Oedometer& column, const std::string& field, double t) {
+    std::vector<Feature> features;
+    const auto add = [&](double x, int derivative) { features.push_back(bars::front_feature(field, x, derivative)); };
+    if (column.terms > 0) return {};
+    if (column.p0 != 0) add(column.load_front(t), 1);
+    if (column.g != 0) add(column.gravity_front(t), column.ramp > 0 ? 5 : 2);
+    if (column.g != 0 && column.ramp > 0 && t > column.ramp) add(column.gravity_front(t - column.ramp), 5);
+    return features;
+}
+
 Exact bind(const Values& values) {
     const Oedometer column = column_from(values);
     const auto at = [column](double t) { return Column(column, t); };
@@ -88,6 +99,7 @@ Exact bind(const Values& values) {
         .averages = bars::cells_of(at, column.E),
         .jumps = [column, jumps](
                      double t) { return jumps && t > 0 ? std::vector{column.load_front(t)} : std::vector<double>{}; },
+        .features = [column](const std::string& field, double t) { return features_of(column, field, t); },
         .constants = [column](std::optional<double> t) { return constants_of(column, t); }};
 }
 

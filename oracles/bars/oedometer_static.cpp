@@ -137,6 +137,7 @@ Exact bind(const Values& values) {
                 return std::array{X * mean_strain(column.law, base, theta), std::expm1(theta), column.stress(X)};
             }),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [column](std::optional<double>) -> Constants {
                 return {{"top_displacement", column.displacement(column.H)},
                         {"base_stress", column.stress(0)},

@@ -37,6 +37,9 @@ Constants constants_of(const Noh& gas, std::optional<double> t) {
     return constants;
 }
 
+/// Every field jumps at the shock; on both sides fields are analytic.
+std::vector<Feature> features_of(const Noh& gas, double t) { return {{Feature::Kind::shock, gas.shock_speed() * t}}; }
+
 Exact bind(const Values& values) {
     const auto& word = values.word("geometry");
     const Noh gas{.geometry = word == "planar"        ? Noh::Geometry::planar
@@ -58,6 +61,7 @@ Exact bind(const Values& values) {
             .sample = along_a_line([gas](double r, double t) { return row(gas.at(r, t)); }),
             .averages = over_cells([gas](double a, double b, double t) { return row(gas.mean(a, b, t)); }),
             .jumps = [gas](double t) { return t > 0 ? std::vector{gas.shock_speed() * t} : std::vector<double>{}; },
+            .features = [gas](const std::string&, double t) { return features_of(gas, t); },
             .constants = [gas](std::optional<double> t) { return constants_of(gas, t); }};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "oracles/features.hpp"
 
 namespace ordo::oracles {
 namespace {
@@ -70,6 +71,17 @@ std::vector<Wave> waves_of(const ElasticLine& line, double t) {
     return waves;
 }
 
+/// The displacement is continuous, and linear between the jumps of the stretch now and of that at t = 0, which lie at
+/// the ends of the squeezed piece.
+std::vector<Feature> kinks_of(const SedovLinearElastic& blast, double t) {
+    const auto line = blast.line();
+    auto places = line.jumps(t);
+    for (const double X : {-0.5 * blast.L0, 0.5 * blast.L0}) places.push_back(line.position(X, t));
+    std::vector<Feature> kinks;
+    for (const double x : places) kinks.push_back({Feature::Kind::linear, x, 1});
+    return kinks;
+}
+
 Exact bind(const Values& values) {
     const SedovLinearElastic blast{.L0 = values.number("L0"),
                                    .lambda_c = values.number("lambda_c"),
@@ -84,19 +96,24 @@ Exact bind(const Values& values) {
             "oracle sedov_linear_elastic",
             "its energy, density or wave speed leaves the numbers of a double; nearest: values nearer to 1");
     constexpr double furthest = 1e300;  // of x and of c0 t
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .times = between(0, std::min(furthest, furthest / blast.wave_speed())),
-            .fields = all_fields(),
-            .sample = [line = blast.line()](std::span<const double> x, double t,
-                                            std::span<double> values) { sample(line, x, t, values); },
-            .averages = [line = blast.line()](std::span<const double> edges, double t,
-                                              std::span<double> values) { averages(line, edges, t, values); },
-            .jumps = [line = blast.line()](double t) { return line.jumps(t); },
-            .waves = [line = blast.line()](double t) { return waves_of(line, t); },
-            .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .times = between(0, std::min(furthest, furthest / blast.wave_speed())),
+                .fields = all_fields(),
+                .sample = [line = blast.line()](std::span<const double> x, double t,
+                                                std::span<double> values) { sample(line, x, t, values); },
+                .averages = [line = blast.line()](std::span<const double> edges, double t,
+                                                  std::span<double> values) { averages(line, edges, t, values); },
+                .jumps = [line = blast.line()](double t) { return line.jumps(t); },
+                .waves = [line = blast.line()](double t) { return waves_of(line, t); },
+                .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
+    exact.features = [blast, other = features_of_waves(exact, Feature::Kind::linear)](const std::string& field,
+                                                                                      double t) {
+        return field == "displacement" ? kinks_of(blast, t) : other(field, t);
+    };
+    return exact;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "oracles/blasts/sedov_nonlinear_elastic.hpp"
+#include "oracles/features.hpp"
 
 namespace ordo::oracles {
 namespace {
@@ -72,25 +73,27 @@ Exact bind(const Values& values) {
     check_coupling(given, m2_min);
     const SedovNonlinearElastic solid(given);
     constexpr double far = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-far},
-            .upper = {far},
-            .times = {.low = 0, .high = solid.time_of(m2_min), .low_excluded = true},
-            .fields = solid_fields,
-            .sample = [solid](std::span<const double> x, double t,
-                              std::span<double> values) { sample(solid, x, t, values); },
-            .jumps =
-                [solid](double t) {
-                    const double r = solid.blast().front(t).r;
-                    return std::vector{-r, r};
-                },
-            .waves =
-                [solid](double t) {
-                    const double r = solid.blast().front(t).r;
-                    return std::vector<Wave>{{Wave::Kind::shock, -r, -r}, {Wave::Kind::shock, r, r}};
-                },
-            .constants = [solid, m2_min](std::optional<double> t) { return constants_of(solid, m2_min, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-far},
+                .upper = {far},
+                .times = {.low = 0, .high = solid.time_of(m2_min), .low_excluded = true},
+                .fields = solid_fields,
+                .sample = [solid](std::span<const double> x, double t,
+                                  std::span<double> values) { sample(solid, x, t, values); },
+                .jumps =
+                    [solid](double t) {
+                        const double r = solid.blast().front(t).r;
+                        return std::vector{-r, r};
+                    },
+                .waves =
+                    [solid](double t) {
+                        const double r = solid.blast().front(t).r;
+                        return std::vector<Wave>{{Wave::Kind::shock, -r, -r}, {Wave::Kind::shock, r, r}};
+                    },
+                .constants = [solid, m2_min](std::optional<double> t) { return constants_of(solid, m2_min, t); }};
+    exact.features = with_singular_centre(features_of_waves(exact), true);
+    return exact;
 }
 
 const std::string explanation =

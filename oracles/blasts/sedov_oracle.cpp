@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "oracles/blasts/sedov.hpp"
+#include "oracles/features.hpp"
 
 namespace ordo::oracles {
 namespace {
@@ -65,17 +66,20 @@ void sample(const SedovBlast& blast, std::span<const double> x, double t, std::s
 
 Exact bind(const Values& values) {
     const SedovBlast blast(given_by(values));
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {0},
-            .upper = {std::numeric_limits<double>::max()},
-            .times = positive,
-            .fields = gas_fields,
-            .sample = [blast](std::span<const double> x, double t,
-                              std::span<double> values) { sample(blast, x, t, values); },
-            .jumps = [blast](double t) { return jumps_of(blast, t); },
-            .waves = [blast](double t) { return waves_of(blast, t); },
-            .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {0},
+                .upper = {std::numeric_limits<double>::max()},
+                .times = positive,
+                .fields = gas_fields,
+                .sample = [blast](std::span<const double> x, double t,
+                                  std::span<double> values) { sample(blast, x, t, values); },
+                .jumps = [blast](double t) { return jumps_of(blast, t); },
+                .waves = [blast](double t) { return waves_of(blast, t); },
+                .constants = [blast](std::optional<double> t) { return constants_of(blast, t); }};
+    // Behind the shock fields are powers of r; of an empty core the edge is singular, and told among the waves.
+    exact.features = with_singular_centre(features_of_waves(exact), blast.profiles().kind() != BlastKind::vacuum);
+    return exact;
 }
 
 const std::string explanation =

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "oracles/features.hpp"
 #include "oracles/riemann/gas_record.hpp"
 
 namespace ordo::oracles {
@@ -41,19 +42,21 @@ DensityPulse pulse_from(const Values& values) {
 
 Exact bind(const Values& values) {
     const DensityPulse pulse = pulse_from(values);
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {0},
-            .upper = {pulse.L},
-            .fields = gas_fields(),
-            .sample = along_a_line([pulse](double x, double t) { return pulse.at(x, t).row(); }),
-            .averages = over_cells([pulse](double a, double b, double t) { return pulse.mean(a, b, t).row(); }),
-            .jumps = [pulse](double t) { return pulse.jumps(t); },
-            .waves = [pulse](double t) { return contacts(pulse, t); },
-            .constants = [pulse](std::optional<double> t) -> Constants {
-                if (!t) return {{"period", std::abs(pulse.L / pulse.stream.v)}};
-                return {{"period", std::abs(pulse.L / pulse.stream.v)}, {"x_begin", pulse.place(*t)}};
-            }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {0},
+                .upper = {pulse.L},
+                .fields = gas_fields(),
+                .sample = along_a_line([pulse](double x, double t) { return pulse.at(x, t).row(); }),
+                .averages = over_cells([pulse](double a, double b, double t) { return pulse.mean(a, b, t).row(); }),
+                .jumps = [pulse](double t) { return pulse.jumps(t); },
+                .waves = [pulse](double t) { return contacts(pulse, t); },
+                .constants = [pulse](std::optional<double> t) -> Constants {
+                    if (!t) return {{"period", std::abs(pulse.L / pulse.stream.v)}};
+                    return {{"period", std::abs(pulse.L / pulse.stream.v)}, {"x_begin", pulse.place(*t)}};
+                }};
+    exact.features = features_of_waves(exact);
+    return exact;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "oracles/features.hpp"
 #include "oracles/riemann/elastic_laws.hpp"
 #include "oracles/riemann/riemann_linear_elastic.hpp"
 #include "oracles/riemann/riemann_nonlinear_elastic.hpp"
@@ -67,19 +68,21 @@ struct HalfLine {
 };
 
 template <class Problem>
-Exact exact_of(HalfLine<Problem>&& given) {
+Exact exact_of(HalfLine<Problem>&& given, Feature::Kind acoustic) {
     const auto half = std::make_shared<const HalfLine<Problem>>(std::move(given));
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .fields = elastic::fields(),
-            .sample = along_a_line([half](double x, double t) { return half->at(x, t); }),
-            .averages = over_cells([half](double a, double b, double t) { return half->mean(a, b, t); }),
-            .jumps = [half](double t) { return half->jumps(t); },
-            .waves = [half](double t) { return half->waves(t); },
-            .constants = [half](std::optional<double> t) { return half->constants(t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .fields = elastic::fields(),
+                .sample = along_a_line([half](double x, double t) { return half->at(x, t); }),
+                .averages = over_cells([half](double a, double b, double t) { return half->mean(a, b, t); }),
+                .jumps = [half](double t) { return half->jumps(t); },
+                .waves = [half](double t) { return half->waves(t); },
+                .constants = [half](std::optional<double> t) { return half->constants(t); }};
+    exact.features = features_of_waves(exact, acoustic);
+    return exact;
 }
 
 /// What is given, but for the law.
@@ -100,7 +103,8 @@ Exact linear(const Given& given, double E) {
     const double v_end = free ? bar.v + c0 * (bar.lambda - 1) : V;
     const RiemannLinearElastic problem(E, rho0, c_v, elastic::mirror_image(bar, v_end), bar, x0);
     const double outer = problem.speeds()[2];
-    return exact_of(HalfLine<RiemannLinearElastic>{problem, x0, v_end, outer, outer, v_end != bar.v});
+    return exact_of(HalfLine<RiemannLinearElastic>{problem, x0, v_end, outer, outer, v_end != bar.v},
+                    Feature::Kind::linear);
 }
 
 template <class Strain>
@@ -111,7 +115,8 @@ Exact nonlinear(const Given& given, double E, double k) {
     const double v_end = free ? elastic::released_velocity(material, bar) : V;
     const RiemannNonlinearElastic<M> problem(material, elastic::mirror_image(bar, v_end), bar, x0);
     const auto& speeds = problem.speeds();
-    return exact_of(HalfLine<RiemannNonlinearElastic<M>>{problem, x0, v_end, speeds[3], speeds[4], v_end != bar.v});
+    return exact_of(HalfLine<RiemannNonlinearElastic<M>>{problem, x0, v_end, speeds[3], speeds[4], v_end != bar.v},
+                    Feature::Kind::shock);
 }
 
 Exact bind(const Values& values) {

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "oracles/features.hpp"
 #include "oracles/riemann/gas_record.hpp"
 
 namespace ordo::oracles {
@@ -32,16 +33,18 @@ Constants constants_of(const GasPiston& piston, std::optional<double> t) {
 Exact bind(const Values& values) {
     const GasPiston piston(gas_from(values, ""), values.number("V"), values.number("x0"));
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .fields = gas_fields(),
-            .sample = along_a_line([piston](double x, double t) { return piston.at(x, t).row(); }),
-            .averages = over_cells([piston](double a, double b, double t) { return piston.mean(a, b, t).row(); }),
-            .jumps = [piston](double t) { return piston.jumps(t); },
-            .waves = [piston](double t) { return piston.waves(t); },
-            .constants = [piston](std::optional<double> t) { return constants_of(piston, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .fields = gas_fields(),
+                .sample = along_a_line([piston](double x, double t) { return piston.at(x, t).row(); }),
+                .averages = over_cells([piston](double a, double b, double t) { return piston.mean(a, b, t).row(); }),
+                .jumps = [piston](double t) { return piston.jumps(t); },
+                .waves = [piston](double t) { return piston.waves(t); },
+                .constants = [piston](std::optional<double> t) { return constants_of(piston, t); }};
+    exact.features = features_of_waves(exact);
+    return exact;
 }
 
 }  // namespace

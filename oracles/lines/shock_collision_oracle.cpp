@@ -1,4 +1,5 @@
 // shock_collision as a line of the catalogue: declarations, constants, and how to fill in the numbers.
+#include "oracles/features.hpp"
 #include "oracles/lines/shock_collision.hpp"
 #include "oracles/riemann/gas_record.hpp"
 
@@ -24,17 +25,19 @@ Exact bind(const Values& values) {
     const ShockCollision flow(gas_from(values, "_L"), gas_from(values, "_M"), gas_from(values, "_R"),
                               values.number("x_L"), values.number("x_R"));
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .times = between(0, flow.end_time()),
-            .fields = gas_fields(),
-            .sample = along_a_line([flow](double x, double t) { return flow.at(x, t).row(); }),
-            .averages = over_cells([flow](double a, double b, double t) { return flow.mean(a, b, t).row(); }),
-            .jumps = [flow](double t) { return flow.jumps(t); },
-            .waves = [flow](double t) { return flow.waves(t); },
-            .constants = [flow](std::optional<double>) { return constants_of(flow); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .times = between(0, flow.end_time()),
+                .fields = gas_fields(),
+                .sample = along_a_line([flow](double x, double t) { return flow.at(x, t).row(); }),
+                .averages = over_cells([flow](double a, double b, double t) { return flow.mean(a, b, t).row(); }),
+                .jumps = [flow](double t) { return flow.jumps(t); },
+                .waves = [flow](double t) { return flow.waves(t); },
+                .constants = [flow](std::optional<double>) { return constants_of(flow); }};
+    exact.features = features_of_waves(exact);
+    return exact;
 }
 
 std::vector<Parameter> parameters() {

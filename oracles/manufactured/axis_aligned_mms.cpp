@@ -42,6 +42,7 @@ Exact exact(const AxisAlignedMms& body) {
         .fields = manufactured_fields(),
         .sample = material_points<dim>(body),
         .jumps = no_jumps,
+        .features = no_features,
         .constants = [body](std::optional<double>) { return motion_constants(body.elastic, body.c(), body.omega()); }};
 }
 

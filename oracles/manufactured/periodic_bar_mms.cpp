@@ -38,6 +38,7 @@ Exact bind(const Values& values) {
         .fields = manufactured_fields(),
         .sample = material_points<1>(bar),
         .jumps = no_jumps,
+        .features = no_features,
         .constants = [bar](std::optional<double>) { return motion_constants(elastic_of(bar), bar.c(), bar.omega()); }};
 }
 

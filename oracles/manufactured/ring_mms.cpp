@@ -52,6 +52,7 @@ Exact bind(const Values& values) {
         .fields = manufactured_fields(),
         .sample = material_points<2>(ring),
         .jumps = no_jumps,
+        .features = no_features,
         .constants = [ring](std::optional<double>) { return motion_constants(ring.elastic, ring.c(), ring.omega()); }};
 }
 

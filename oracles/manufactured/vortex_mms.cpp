@@ -44,6 +44,7 @@ Exact bind(const Values& values) {
             .fields = manufactured_fields(),
             .sample = material_points<2>(vortex),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [vortex](std::optional<double>) {
                 return motion_constants(vortex.elastic, vortex.c(), vortex.omega());
             }};

@@ -58,6 +58,7 @@ Exact bind(const Values& values) {
             .fields = fields,
             .sample = uniform(everywhere),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [solid](std::optional<double>) { return constants_of(solid); }};
 }
 

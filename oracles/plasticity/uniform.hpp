@@ -29,6 +29,7 @@ Exact on_strain_path(const StrainPath& path, const std::vector<FieldInfo>& field
             .fields = fields,
             .sample = uniform(row),
             .jumps = no_jumps,
+            .features = no_features,
             .constants = [constants](std::optional<double>) { return constants; }};
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "oracles/features.hpp"
 #include "oracles/riemann/gas_record.hpp"
 #include "oracles/riemann/riemann_gas.hpp"
 
@@ -98,16 +99,18 @@ Gas side_of(const Values& values, const std::string& side) {
 Exact bind(const Values& values) {
     const RiemannGas problem(side_of(values, "L"), side_of(values, "R"), values.number("x0"));
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .fields = gas_fields(),
-            .sample = along_a_line([problem](double x, double t) { return problem.at(x, t).row(); }),
-            .averages = over_cells([problem](double a, double b, double t) { return problem.mean(a, b, t).row(); }),
-            .jumps = [problem](double t) { return problem.jumps(t); },
-            .waves = [problem](double t) { return waves_of(problem, t); },
-            .constants = [problem](std::optional<double> t) { return constants_of(problem, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .fields = gas_fields(),
+                .sample = along_a_line([problem](double x, double t) { return problem.at(x, t).row(); }),
+                .averages = over_cells([problem](double a, double b, double t) { return problem.mean(a, b, t).row(); }),
+                .jumps = [problem](double t) { return problem.jumps(t); },
+                .waves = [problem](double t) { return waves_of(problem, t); },
+                .constants = [problem](std::optional<double> t) { return constants_of(problem, t); }};
+    exact.features = features_of_waves(exact);
+    return exact;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "oracles/features.hpp"
 #include "oracles/riemann/elastic_record.hpp"
 
 namespace ordo::oracles {
@@ -23,16 +24,18 @@ Exact bind(const Values& values) {
     const RiemannLinearElastic problem(values.number("E"), values.number("rho0"), values.number("c_v"), state("L"),
                                        state("R"), values.number("x0"));
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .fields = elastic::fields(),
-            .sample = along_a_line([problem](double x, double t) { return problem.fields(x, t); }),
-            .averages = over_cells([problem](double a, double b, double t) { return problem.averages(a, b, t); }),
-            .jumps = [problem](double t) { return problem.jumps(t); },
-            .waves = [problem](double t) { return problem.waves(t); },
-            .constants = [problem](std::optional<double> t) { return problem.constants(t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .fields = elastic::fields(),
+                .sample = along_a_line([problem](double x, double t) { return problem.fields(x, t); }),
+                .averages = over_cells([problem](double a, double b, double t) { return problem.averages(a, b, t); }),
+                .jumps = [problem](double t) { return problem.jumps(t); },
+                .waves = [problem](double t) { return problem.waves(t); },
+                .constants = [problem](std::optional<double> t) { return problem.constants(t); }};
+    exact.features = features_of_waves(exact, Feature::Kind::linear);
+    return exact;
 }
 
 std::vector<Parameter> parameters() {

@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 
+#include "oracles/features.hpp"
 #include "oracles/riemann/elastic_laws.hpp"
 #include "oracles/riemann/elastic_record.hpp"
 
@@ -41,17 +42,19 @@ Exact exact_of(const Values& values) {
     const double x0 = values.number("x0");
     const auto problem = std::make_shared<const RiemannNonlinearElastic<M>>(material, state("L"), state("R"), x0);
     constexpr double furthest = std::numeric_limits<double>::max();
-    return {.dim = 1,
-            .coordinates = Coordinates::spatial,
-            .lower = {-furthest},
-            .upper = {furthest},
-            .fields = fields(),
-            .sample = along_a_line([problem](double x, double t) { return problem->fields(x, t); }),
-            .averages = over_cells([problem](double a, double b, double t) { return problem->averages(a, b, t); }),
-            .jumps = [problem](double t) { return problem->jumps(t); },
-            .waves = [problem](double t) { return problem->waves(t); },
-            .constants = [problem, rho0 = material.rho0,
-                          x0](std::optional<double> t) { return constants_of(*problem, rho0, x0, t); }};
+    Exact exact{.dim = 1,
+                .coordinates = Coordinates::spatial,
+                .lower = {-furthest},
+                .upper = {furthest},
+                .fields = fields(),
+                .sample = along_a_line([problem](double x, double t) { return problem->fields(x, t); }),
+                .averages = over_cells([problem](double a, double b, double t) { return problem->averages(a, b, t); }),
+                .jumps = [problem](double t) { return problem->jumps(t); },
+                .waves = [problem](double t) { return problem->waves(t); },
+                .constants = [problem, rho0 = material.rho0,
+                              x0](std::optional<double> t) { return constants_of(*problem, rho0, x0, t); }};
+    exact.features = features_of_waves(exact);
+    return exact;
 }
 
 Exact bind(const Values& values) {
