@@ -112,6 +112,8 @@ void list_norms() {
     line("linf", "max |e|");
     std::cout << "  on cells l1 and l2 are integrals over them, and there are\n";
     line("l1_fans", "integral of |e| over the middle half of every fan");
+    line("l1_near", "the part of l1 no further than measure.near from what is not smooth; of points too");
+    line("l1_away", "the rest of l1: both parts together are l1");
     line("shock", "largest error of the place of a shock, where the field passes the middle of its sides [m]");
     line("contact", "the same of contacts [m]");
     line("fan_edge", "the same of the edges of fans, 5 % inside them [m]");

@@ -107,13 +107,17 @@ Json measure_schema() {
                    {"over", words({"final", "maximum"})},
                    {"volume", words({"current", "undeformed"})},
                    {"against", one_or_list(words({"exact", "finest"}))},
+                   {"near", above_zero},
                    {"orders_against", one_or_list(abscissa)}},
                   {"at", "fields"});
 }
 
 Json expectation_schema() {
-    Json json = object({{"order", {{"type", "number"}}},
+    const Json order{{"anyOf", {{{"type", "number"}}, words({"expected"})}}};
+    Json json = object({{"order", order},
                         {"within", above_zero},
+                        {"may_exceed", {{"type", "string"}, {"minLength", 1}}},
+                        {"levels", {{"type", "integer"}, {"minimum", 2}}},
                         {"error_at_most", above_zero},
                         {"exact_within", above_zero},
                         {"against", abscissa},

@@ -30,6 +30,8 @@ std::string norm_words(Norm norm) {
         case Norm::l1_fans: return "L1 (inside of fans)";
         case Norm::shock: return "shocks";
         case Norm::contact: return "contacts";
+        case Norm::l1_near: return "L1 (near waves)";
+        case Norm::l1_away: return "L1 (away from waves)";
         case Norm::fan_edge: break;
     }
     return "edges of the fans";
@@ -83,7 +85,7 @@ std::string unit_words(const studies::Quantity& quantity) {
     const auto& fields = standard_fields();
     const auto field = std::ranges::find(fields, quantity.field, &FieldInfo::name);
     if (field == fields.end()) return "";
-    const bool l1 = quantity.norm == Norm::l1 || quantity.norm == Norm::l1_fans;
+    const bool l1 = quantity.norm == Norm::l1 || quantity.norm == Norm::l1_fans || is_part(quantity.norm);
     const std::string length = l1 ? "m^dim" : quantity.norm == Norm::l2 ? "m^(dim/2)" : "";
     if (length.empty()) return " [" + field->unit + "]";
     return field->unit == "-" ? " [" + length + "]" : " [" + field->unit + " * " + length + "]";

@@ -73,8 +73,13 @@ struct Claim {
     double order_in_space = 0;
     double order_in_time = 0;
     std::vector<std::string> conserves;
-    std::string provided;  ///< under which condition
-    std::string source;    ///< key of docs/references.bib
+    std::string provided;       ///< under which condition
+    std::string source;         ///< key of docs/references.bib
+    double order_of_waves = 0;  ///< of the speed of waves, which smears what is not smooth; 0: order_in_space
+    std::vector<std::string> fields = {};  ///< those that the orders are of; empty: all
+    /// What it moves as it is, without smearing it over cells: "shock", "contact", "linear", "fan_corner".
+    std::vector<std::string> sharp = {};
+    std::vector<std::string> steep = {};  ///< what it keeps a few cells wide, however far it goes: shocks always
 };
 
 /// A method of solution, by name: its declared options and resolution, its claim, and the way to start it.

@@ -125,7 +125,9 @@ Claim claim(const Values& values) {
             .provided =
                 "displacement and velocity of smooth data; courant <= 1 with lumped, 1/sqrt 3 with consistent "
                 "mass; stress and strain are of that order at centres only",
-            .source = "Hughes2000"};
+            .source = "Hughes2000",
+            .fields =
+                options.at_centres ? std::vector<std::string>{} : std::vector<std::string>{"displacement", "velocity"}};
 }
 
 Plan plan(const Scene& scene, const Values& options, const Values& resolution) {

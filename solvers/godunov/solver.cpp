@@ -94,11 +94,13 @@ double fastest_piece(const LineScene& scene) {
 
 Claim claim(const Values& values) {
     const double order = values.word("order") == "second" ? 2 : 1;
+    const bool steep = order == 2 && values.word("limiter") == "superbee";
     return {.order_in_space = order,
             .order_in_time = order,
             .conserves = {"mass", "momentum", "energy"},
             .provided = "smooth flow, in l1; where there are shocks and contacts at most 1",
-            .source = "Toro2009"};
+            .source = "Toro2009",
+            .steep = steep ? std::vector<std::string>{"contact", "linear"} : std::vector<std::string>{}};
 }
 
 Plan plan(const Scene& scene, const Values& options, const Values& resolution) {

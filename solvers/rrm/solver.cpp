@@ -149,12 +149,16 @@ private:
 
 Claim claim(const Values& options) {
     const bool waves = options.word("keep") == "waves";
+    std::vector<std::string> sharp;
+    if (waves) sharp = {"shock", "contact", "linear", "fan_corner"};
+    if (options.word("keep") == "contacts") sharp = {"contact"};
     return {.order_in_space = waves ? 1 : 0.5,
             .order_in_time = 0,
             .conserves = {"mass", "momentum", "energy"},
             .provided = waves ? "in l1 against delta, where waves do not meet: second order against the number of cells"
                               : "in l1 against delta; shocks 1, fans 0.33 to 0.5, contacts that are not kept 0.33",
-            .source = "Walker2017"};
+            .source = "Walker2017",
+            .sharp = sharp};
 }
 
 Plan plan(const Scene& scene, const Values& options, const Values& resolution) {

@@ -24,7 +24,7 @@ public:
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         const std::size_t most = 64 * parts.size() + 1024;  // more come from round-off, which never ends
         const bool any_fan = std::ranges::any_of(parts, &CellPart::in_fan);
-        if (parts.empty()) return {nan, nan, nan};
+        if (parts.empty()) return {nan, nan, nan, nan, nan};
         set_scale(parts.size(), rows);
         for (int level = 0; !parts.empty(); ++level) {
             const bool last = level == deepest || parts.size() > most;
@@ -37,7 +37,7 @@ public:
             parts = std::move(halves);
             rows = rows_at_nodes(exact_, t_, parts);
         }
-        return {l1_, std::sqrt(squares_), any_fan ? fans_ : nan};
+        return {near_ + away_, std::sqrt(squares_), any_fan ? fans_ : nan, near_, away_};
     }
 
 private:
@@ -101,7 +101,7 @@ private:
             }
             sizes += std::abs(rule.integral(e, from, 1));
         }
-        l1_ += sizes * width;
+        (part.near_wave ? near_ : away_) += sizes * width;
         squares_ += squares * width;
         if (part.in_fan) fans_ += sizes * width;
     }
@@ -109,7 +109,7 @@ private:
     static void halve(const CellPart& part, std::vector<CellPart>& halves) {
         const double middle = part.a + 0.5 * (part.b - part.a);
         for (const auto& [a, b] : {std::array{part.a, middle}, std::array{middle, part.b}}) {
-            const CellPart half{a, b, part.cell, part.in_fan};
+            const CellPart half{a, b, part.cell, part.in_fan, part.near_wave};
             if (half.has_inside()) halves.push_back(half);
         }
     }
@@ -119,12 +119,12 @@ private:
     double t_;
     double noise_ = 0;      ///< of e
     double tolerance_ = 0;  ///< of the integral over one part
-    double l1_ = 0, squares_ = 0, fans_ = 0;
+    double near_ = 0, away_ = 0, squares_ = 0, fans_ = 0;
 };
 
 }  // namespace
 
-std::vector<CellErrors> cell_errors(std::span<const CellField> fields, const Exact& exact, double t) {
+std::vector<CellErrors> cell_errors(std::span<const CellField> fields, const Exact& exact, double t, double near) {
     if (exact.dim != 1 || exact.coordinates != oracles::Coordinates::spatial)
         throw std::logic_error("cells are compared with a solution in space and one dimension only");
     std::vector<CellErrors> errors;
@@ -133,7 +133,7 @@ std::vector<CellErrors> cell_errors(std::span<const CellField> fields, const Exa
     const auto falls = [](double a, double b) { return !(a <= b); };
     if (std::ranges::adjacent_find(edges, falls) != edges.end()) throw std::logic_error("the cells' edges do not rise");
     exact.check(std::array{edges.front(), edges.back()}, t, "the cells and the exact solution");
-    const auto parts = parts_of(exact, t, edges);
+    const auto parts = parts_of(exact, t, edges, near);
     const auto rows = rows_at_nodes(exact, t, parts);
     for (const auto& field : fields) errors.push_back(Integration(field, exact, t).over(parts, rows));
     return errors;

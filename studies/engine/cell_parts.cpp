@@ -6,19 +6,24 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cstdint>
 
+#include "oracles/features.hpp"
+
 namespace ordo::studies {
 namespace {
 
 using oracles::Exact;
 using oracles::Wave;
 
-/// Where the exact solution is not smooth, and the quarters of its fans: inside (low, high), rising.
-std::vector<double> cuts_of(const Exact& exact, const std::vector<Wave>& waves, double t, double low, double high) {
+/// Where the exact solution is not smooth, the quarters of its fans, and `near` on both sides of these places: inside
+/// (low, high), rising.
+std::vector<double> cuts_of(const Exact& exact, const std::vector<Wave>& waves, const std::vector<double>& masked,
+                            double near, double t, double low, double high) {
     std::vector<double> places = exact.jumps ? exact.jumps(t) : std::vector<double>{};
     for (const auto& wave : waves) {
         const double quarter = 0.25 * (wave.right - wave.left);
         places.insert(places.end(), {wave.left, wave.left + quarter, wave.right - quarter, wave.right});
     }
+    for (const double x : masked) places.insert(places.end(), {x - near, x + near});
     std::erase_if(places, [&](double x) { return !(x > low && x < high); });
     std::ranges::sort(places);
     return places;
@@ -92,16 +97,22 @@ std::vector<double> Kronrod::sign_changes(const Values& values, double noise) co
     return places;
 }
 
-std::vector<CellPart> parts_of(const Exact& exact, double t, std::span<const double> edges) {
+bool is_near(double x, std::span<const double> places, double near) {
+    return std::ranges::any_of(places, [&](double place) { return std::abs(x - place) <= near; });
+}
+
+std::vector<CellPart> parts_of(const Exact& exact, double t, std::span<const double> edges, double near) {
     const auto waves = exact.waves ? exact.waves(t) : std::vector<Wave>{};
-    const auto cuts = cuts_of(exact, waves, t, edges.front(), edges.back());
+    const auto masked = near > 0 ? oracles::places_of_features(exact, t) : std::vector<double>{};
+    const auto cuts = cuts_of(exact, waves, masked, near, t, edges.front(), edges.back());
     std::vector<CellPart> parts;
     auto cut = cuts.begin();
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
         for (double a = edges[i]; a < edges[i + 1];) {
             while (cut != cuts.end() && *cut <= a) ++cut;
             const double b = cut == cuts.end() ? edges[i + 1] : std::min(*cut, edges[i + 1]);
-            const CellPart part{a, b, i, in_middle_of_fan(waves, 0.5 * (a + b))};
+            const double middle = 0.5 * (a + b);
+            const CellPart part{a, b, i, in_middle_of_fan(waves, middle), is_near(middle, masked, near)};
             if (part.has_inside()) parts.push_back(part);
             a = b;
         }

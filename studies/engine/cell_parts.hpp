@@ -32,7 +32,8 @@ const Kronrod& kronrod();
 struct CellPart {
     double a, b;
     std::size_t cell;
-    bool in_fan;  ///< in the middle half of one
+    bool in_fan;     ///< in the middle half of one
+    bool near_wave;  ///< no further than `near` from where a field is not smooth
 
     bool has_inside() const { return std::nextafter(a, b) < b; }
     /// Strictly inside, in the smallest part too.
@@ -43,8 +44,11 @@ struct CellPart {
 };
 
 /// All cells between these rising edges, cut where the exact solution is not smooth at time t and at the quarters of
-/// its fans.
-std::vector<CellPart> parts_of(const oracles::Exact& exact, double t, std::span<const double> edges);
+/// its fans; where `near` is not 0, as far from what is not smooth too.
+std::vector<CellPart> parts_of(const oracles::Exact& exact, double t, std::span<const double> edges, double near = 0);
+
+/// Whether x is no further than `near` from one of these places.
+bool is_near(double x, std::span<const double> places, double near);
 
 /// Rows of the exact solution at the nodes of all parts, in one call.
 std::vector<double> rows_at_nodes(const oracles::Exact& exact, double t, std::span<const CellPart> parts);

@@ -32,9 +32,9 @@ Verdict order_verdict(const Expectation& expectation, const SeriesFit& fit) {
 
 /// An order that no series can show fails.
 void check_orders(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
-    const std::string claim = fmt::format("order {} +- {}{}{}", expectation.value, expectation.within,
-                                          expectation.against.empty() ? "" : " against " + expectation.against,
-                                          range_text(expectation.where));
+    const std::string claim = text_of_order(expectation) +
+                              (expectation.against.empty() ? "" : " against " + expectation.against) +
+                              range_text(expectation.where);
     const std::size_t before = checks.size();
     for (const auto& fit : result.fits) {
         const auto& solver = run_of(result, fit.used.empty() ? fit.left_out.front().run : fit.used.front()).solver;

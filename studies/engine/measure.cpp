@@ -4,7 +4,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "oracles/features.hpp"
 #include "studies/engine/cell_errors.hpp"
+#include "studies/engine/cell_parts.hpp"
 #include "studies/engine/norm.hpp"
 #include "studies/engine/wave_places.hpp"
 
@@ -28,7 +30,7 @@ class AtPoints {
 public:
     AtPoints(const solvers::Snapshot& shot, const oracles::Exact& exact)
         : shot_(shot), exact_(exact), rows_(shot.points() * exact.width()) {
-        exact.sample(exact.coordinates == oracles::Coordinates::material ? shot.X : shot.x, shot.t, rows_);
+        exact.sample(positions(), shot.t, rows_);
     }
 
     double error(const Quantity& quantity) const {
@@ -38,10 +40,27 @@ public:
             const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(row);
             values.insert(values.end(), begin, begin + found.components);
         }
-        return error_norm(quantity.norm, found.values, values, weights_of(quantity, shot_), found.components);
+        if (!is_part(quantity.norm))
+            return error_norm(quantity.norm, found.values, values, weights_of(quantity, shot_), found.components);
+        return error_norm(Norm::l1, found.values, values, weights_of_part(quantity), found.components);
     }
 
 private:
+    const std::vector<double>& positions() const {
+        return exact_.coordinates == oracles::Coordinates::material ? shot_.X : shot_.x;
+    }
+
+    /// 0 for the points of the other part.
+    std::vector<double> weights_of_part(const Quantity& quantity) const {
+        const auto places = oracles::places_of_features(exact_, shot_.t);
+        auto weights = weights_of(quantity, shot_);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const bool near = is_near(positions()[i], places, quantity.near);
+            if (near != (quantity.norm == Norm::l1_near)) weights[i] = 0;
+        }
+        return weights;
+    }
+
     const solvers::Snapshot& shot_;
     const oracles::Exact& exact_;
     std::vector<double> rows_;  ///< points x exact.width()
@@ -62,9 +81,9 @@ CellField cell_field(const Field& means, const solvers::Snapshot& shot, const or
 /// A snapshot of cells against the exact solution all over them.
 class OverCells {
 public:
-    OverCells(const solvers::Snapshot& shot, const oracles::Exact& exact) : shot_(shot), exact_(exact) {
+    OverCells(const solvers::Snapshot& shot, const oracles::Exact& exact, double near) : shot_(shot), exact_(exact) {
         for (const auto& means : shot.fields) fields_.push_back(cell_field(means, shot, exact));
-        errors_ = cell_errors(fields_, exact, shot.t);
+        errors_ = cell_errors(fields_, exact, shot.t, near);
     }
 
     double error(const Quantity& quantity) const {
@@ -74,6 +93,8 @@ public:
             case Norm::l1: return errors_.at(k).l1;
             case Norm::l2: return errors_.at(k).l2;
             case Norm::l1_fans: return errors_.at(k).l1_fans;
+            case Norm::l1_near: return errors_.at(k).l1_near;
+            case Norm::l1_away: return errors_.at(k).l1_away;
             default: break;
         }
         const auto& [profile, offset] = fields_.at(k);
@@ -90,7 +111,7 @@ private:
 /// rms and linf are taken at points, the middles of cells too; the other norms over cells where there are any.
 bool is_over_cells(Norm norm, const solvers::Snapshot& shot) {
     if (is_about_waves(norm)) return true;
-    return !shot.edges.empty() && (norm == Norm::l1 || norm == Norm::l2);
+    return !shot.edges.empty() && (norm == Norm::l1 || norm == Norm::l2 || is_part(norm));
 }
 
 }  // namespace
@@ -100,10 +121,12 @@ std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantit
     std::vector<RunFigure> errors;
     std::optional<AtPoints> points;
     std::optional<OverCells> cells;
+    double near = 0;
+    for (const auto& quantity : quantities) near = std::max(near, quantity.near);
     for (const auto& quantity : quantities) {
         if (quantity.against != Against::exact) continue;
         if (is_over_cells(quantity.norm, shot)) {
-            if (!cells) cells.emplace(shot, exact);
+            if (!cells) cells.emplace(shot, exact, near);
             errors.push_back({quantity.key(), cells->error(quantity)});
         } else {
             if (!points) points.emplace(shot, exact);

@@ -1,20 +1,32 @@
 #include "studies/engine/study.hpp"
 
+#include <fmt/format.h>
+
 #include "core/text.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::studies {
 
 const std::vector<std::string>& norm_names() {
-    static const std::vector<std::string> names{"rms", "l1", "l2", "linf", "l1_fans", "shock", "contact", "fan_edge"};
+    static const std::vector<std::string> names{"rms",   "l1",      "l2",       "linf",    "l1_fans",
+                                                "shock", "contact", "fan_edge", "l1_near", "l1_away"};
     return names;
 }
 
 std::string text_of(Norm norm) { return norm_names().at(static_cast<std::size_t>(norm)); }
 
-bool is_about_waves(Norm norm) { return norm > Norm::linf; }
+bool is_part(Norm norm) { return norm == Norm::l1_near || norm == Norm::l1_away; }
+
+bool is_about_waves(Norm norm) { return norm > Norm::linf && !is_part(norm); }
 
 bool is_place(Norm norm) { return norm == Norm::shock || norm == Norm::contact || norm == Norm::fan_edge; }
+
+std::string text_of_order(const Expectation& expectation) {
+    const bool expected = !expectation.theory.empty();
+    const std::string order =
+        expected ? fmt::format("expected order {:.3g}", expectation.value) : fmt::format("order {}", expectation.value);
+    return order + fmt::format(" +- {}", expectation.within) + (expected ? " (" + expectation.theory + ")" : "");
+}
 
 std::string text_of(Path path) {
     switch (path) {

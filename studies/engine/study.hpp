@@ -41,8 +41,9 @@ enum class Until { exact, accumulated, steps };
 /// What an error is measured against: the exact solution, or the run with the smallest dt of the same series.
 enum class Against { exact, finest };
 /// Over points, or over cells where a snapshot has them: rms to linf. Where the waves of a line are off their places:
-/// shock, contact, fan_edge. l1_fans is l1 over the middle half of every fan, away from its corners.
-enum class Norm { rms, l1, l2, linf, l1_fans, shock, contact, fan_edge };
+/// shock, contact, fan_edge. l1_fans is l1 over the middle half of every fan, away from its corners; l1_near and
+/// l1_away are the parts of l1 near the waves, points or cells alike, and away from them.
+enum class Norm { rms, l1, l2, linf, l1_fans, shock, contact, fan_edge, l1_near, l1_away };
 
 /// One error figure that every run is asked for. `maximum` is over the ends of all steps instead of the last one.
 struct Quantity {
@@ -51,6 +52,7 @@ struct Quantity {
     Against against = Against::exact;
     bool maximum = false;
     bool undeformed = false;  ///< integrals are over the undeformed body instead of the body now
+    double near = 0;          ///< how far from a wave l1_near ends and l1_away begins [m]; 0 for other norms
 
     std::string key() const;  ///< "displacement.rms", "velocity.l2.undeformed.max", "displacement.rms@finest"
     bool operator==(const Quantity&) const = default;
@@ -82,6 +84,9 @@ struct Expectation {
     Kind kind = Kind::order;
     double value = 0;                     ///< the order, or the bound in the field's unit
     double within = 0;                    ///< half-width of the band around an order
+    std::string theory = {};              ///< where the order is the expected one, what it follows from; else empty
+    std::string may_exceed = {};          ///< why an order above the band passes too; empty: it does not
+    int levels = 0;                       ///< an order needs at least so many in its fit; 0: as many as any fit
     std::string against = {};             ///< abscissa of an order: "h", "1/chop_outs"; empty: those of the path
     std::vector<Condition> where;         ///< which runs it speaks of; empty: all
     std::vector<std::string> quantities;  ///< keys it speaks of; empty: all
@@ -140,12 +145,17 @@ const std::vector<std::string>& norm_names();
 /// Needs cells and the waves of the exact solution: l1_fans, and the places.
 bool is_about_waves(Norm norm);
 
+/// l1_near or l1_away: needs the waves of the exact solution, and how far from them `near` ends.
+bool is_part(Norm norm);
+
 /// shock, contact or fan_edge: an error that is a distance.
 bool is_place(Norm norm);
 
 using ordo::text_of;
 std::string text_of(Norm norm);
 std::string text_of(const std::vector<Condition>& where);
+/// "order 2 +- 0.1", "expected order 0.667 +- 0.1 (contact, l1, formal order 2)"
+std::string text_of_order(const Expectation& expectation);
 std::string text_of(Path path);
 std::string text_of(Until until);
 std::string text_of(Compare compare);

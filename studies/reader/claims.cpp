@@ -66,21 +66,47 @@ std::string against_from(const Node& node, const Study& study, bool order) {
     return "";
 }
 
+/// "order": "expected".
+bool order_follows(const Node& node) {
+    if (!node.has("order") || !node.at("order").is_text()) return false;
+    const std::string word = node.at("order").text();
+    if (word != "expected") node.at("order").refuse("is '" + word + "', but must be a number or 'expected'");
+    return true;
+}
+
+/// What an order is held to besides its value.
+void read_band(const Node& node, bool order, Expectation& expectation) {
+    if (order) expectation.within = positive_number(node.at("within"));
+    for (const std::string member : {"within", "may_exceed", "levels"}) {
+        if (!order && node.has(member)) node.at(member).refuse("belongs to 'order' only");
+    }
+    if (node.has("may_exceed")) {
+        expectation.may_exceed = node.at("may_exceed").text();
+        if (expectation.may_exceed.empty()) node.at("may_exceed").refuse("is empty, but must say why");
+    }
+    if (!node.has("levels")) return;
+    const double levels = node.at("levels").number();
+    if (!(levels >= 2 && levels <= 10'000 && levels == std::floor(levels)))
+        node.at("levels").refuse("is " + shortest(levels) + ", but must be a whole number from 2 to 10000");
+    expectation.levels = static_cast<int>(levels);
+}
+
 Expectation expectation_from(const Node& node, const Study& study) {
     static const std::array<std::string, 3> kinds{"order", "error_at_most", "exact_within"};
-    node.only({"order", "within", "error_at_most", "exact_within", "against", "where", "of", "solver", "source"});
+    node.only({"order", "within", "may_exceed", "levels", "error_at_most", "exact_within", "against", "where", "of",
+               "solver", "source"});
     Expectation expectation;
     int claims = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         if (!node.has(kinds[k])) continue;
         ++claims;
         expectation.kind = static_cast<Expectation::Kind>(k);
-        expectation.value = k == 0 ? node.at(kinds[k]).number() : positive_number(node.at(kinds[k]));
+        if (k > 0) expectation.value = positive_number(node.at(kinds[k]));
+        else if (!order_follows(node)) expectation.value = node.at(kinds[k]).number();
     }
     if (claims != 1) node.refuse("must hold exactly one of: order, error_at_most, exact_within");
     const bool order = expectation.kind == Expectation::Kind::order;
-    if (order) expectation.within = positive_number(node.at("within"));
-    else if (node.has("within")) node.at("within").refuse("belongs to 'order' only");
+    read_band(node, order, expectation);
     expectation.against = against_from(node, study, order);
     if (node.has("where")) {
         for (const auto& item : node.at("where").items()) expectation.where.push_back(condition_from(item, study));
@@ -158,7 +184,14 @@ Published published_table(const Node& node, const Study& study) {
 
 std::vector<Expectation> expectations_from(const Node& node, const Study& study) {
     std::vector<Expectation> expectations;
-    for (const auto& item : node.items()) expectations.push_back(expectation_from(item, study));
+    for (const auto& item : node.items()) {
+        const Expectation expectation = expectation_from(item, study);
+        if (!order_follows(item)) {
+            expectations.push_back(expectation);
+            continue;
+        }
+        for (auto& one : expected_orders(item.at("order"), expectation, study)) expectations.push_back(std::move(one));
+    }
     return expectations;
 }
 

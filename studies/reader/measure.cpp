@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "core/text.hpp"
+#include "oracles/features.hpp"
 #include "solvers/solver.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/engine/wave_places.hpp"
@@ -74,6 +75,33 @@ void check_waves(const Node& node, const Study& study, const Measure& measure) {
     }
 }
 
+/// How far the part near the waves goes; 0 where no norm asks for a part.
+double near_from(const Node& node, const std::vector<Norm>& norms) {
+    const bool asked = std::ranges::any_of(norms, is_part);
+    if (!asked && node.has("near")) node.at("near").refuse("belongs to the norms l1_near and l1_away only");
+    if (!asked) return 0;
+    const double near = node.at("near").number();
+    if (!(near > 0) || !std::isfinite(near)) node.at("near").refuse("is " + shortest(near) + ", but must be > 0");
+    return near;
+}
+
+/// Parts of l1 want places where the exact solution is not smooth.
+void check_parts(const Node& node, const Study& study, const Measure& measure) {
+    const auto exact = truth_of(study);
+    for (const auto& quantity : measure.quantities) {
+        if (!is_part(quantity.norm)) continue;
+        const std::string norm = "'" + text_of(quantity.norm) + "'";
+        const Node norms = node.at("norms");
+        if (quantity.maximum) norms.refuse(norm + " needs 'over' to be 'final': at t = 0 all waves are at one place");
+        if (quantity.against == Against::finest) norms.refuse(norm + " needs 'against' to be 'exact'");
+        if (!exact.features) norms.refuse(norm + ": the exact solution does not tell where its waves are");
+        if (measure.until == Until::steps) continue;
+        if (oracles::places_of_features(exact, measure.at).empty())
+            norms.refuse(norm + " has nothing to measure: the exact solution is smooth everywhere at t = " +
+                         shortest(measure.at) + " (nearest: l1)");
+    }
+}
+
 std::vector<std::string> orders_against_from(const Node& node, const Study& study) {
     static const std::regex counter(R"(1/[A-Za-z_]\w*)");
     const auto own = own_abscissae(study.sweep.path);
@@ -94,13 +122,14 @@ std::vector<std::string> orders_against_from(const Node& node, const Study& stud
 }  // namespace
 
 Measure measure_from(const Node& node, const Study& study) {
-    node.only({"at", "until", "fields", "norms", "over", "volume", "against", "orders_against"});
+    node.only({"at", "until", "fields", "norms", "over", "volume", "against", "near", "orders_against"});
     Measure measure;
     read_end(node, study, measure);
     measure.fields = node.at("fields").texts();
     if (measure.fields.empty()) node.at("fields").refuse("is an empty list");
     check_fields(node.at("fields"), study);
     const auto norms = words_from(node, "norms", norm_names(), Norm::rms);
+    const double near = near_from(node, norms);
     const bool maximum = node.has("over") && node.at("over").one_of({"final", "maximum"}) == 1;
     const bool undeformed = node.has("volume") && node.at("volume").one_of({"current", "undeformed"}) == 1;
     if (undeformed && !solvers::is_solid(problem_of(study)))
@@ -110,10 +139,12 @@ Measure measure_from(const Node& node, const Study& study) {
             node.refuse("'against' may be 'finest' only where the sweep's path is 'time' and 'over' is 'final'");
         }
         for (const auto& field : measure.fields) {
-            for (const Norm norm : norms) measure.quantities.push_back({field, norm, truth, maximum, undeformed});
+            for (const Norm norm : norms)
+                measure.quantities.push_back({field, norm, truth, maximum, undeformed, is_part(norm) ? near : 0});
         }
     }
     check_waves(node, study, measure);
+    check_parts(node, study, measure);
     if (node.has("orders_against")) measure.orders_against = orders_against_from(node.at("orders_against"), study);
     return measure;
 }

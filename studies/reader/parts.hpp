@@ -20,6 +20,10 @@ Measure measure_from(const Node& node, const Study& study);
 /// The expectations; conditions must name swept axes, quantities must be measured.
 std::vector<Expectation> expectations_from(const Node& node, const Study& study);
 
+/// One expectation for each quantity and solver that `claim` speaks of, each with the order that theory expects of it.
+/// Throws InputError, at this node, where theory expects none.
+std::vector<Expectation> expected_orders(const Node& node, const Expectation& claim, const Study& study);
+
 /// Replaces each `published.file` by the table in it, so that the document is complete.
 void inline_published(Json& document, const std::string& where, const std::string& folder);
 

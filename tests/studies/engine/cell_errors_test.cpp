@@ -156,3 +156,37 @@ TEST_CASE("cell errors: a solution with noise costs a bounded number of points",
     CHECK(errors.l1 == Approx(0.5).epsilon(1e-3));
     CHECK(points < 1'000'000);
 }
+
+TEST_CASE("cell errors: the parts near a wave and away from it, cut exactly there", "[unit]") {
+    // A step from 1 to 0 at 0.3 against the cells [-1, 0] at 1 and [0, 1] at 0.3: |e| is 0, then 0.7 and 0.3.
+    auto step = on_a_line([](double x) { return x < 0.3 ? 1.0 : 0.0; }, {0.3});
+    step.features = [](const std::string&, double) {
+        return std::vector<oracles::Feature>{{oracles::Feature::Kind::contact, 0.3}};
+    };
+    const std::vector<double> edges{-1, 0, 1}, means{1, 0.3};
+    const CellField field{{edges, means}, 0};
+    const auto parts = [&](double near) { return cell_errors(std::span(&field, 1), step, 1, near).at(0); };
+    CHECK(parts(0.1).l1_near == Approx(0.1 * 0.7 + 0.1 * 0.3).margin(accuracy));
+    CHECK(parts(0.1).l1_away == Approx(0.2 * 0.7 + 0.6 * 0.3).margin(accuracy));
+    CHECK(parts(0.5).l1_near == Approx(0.3 * 0.7 + 0.5 * 0.3).margin(accuracy));
+    CHECK(parts(2).l1_near == Approx(0.42).margin(accuracy));
+    CHECK(parts(2).l1_away == 0);
+    for (const double near : {1e-9, 0.1, 0.3, 0.7}) {
+        CHECK(parts(near).l1 == parts(near).l1_near + parts(near).l1_away);
+        CHECK(parts(near).l1 == Approx(parts(0).l1).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("cell errors: of two waves the parts near both count, where they overlap once", "[unit]") {
+    auto line = on_a_line([](double) { return 0.0; });
+    line.features = [](const std::string&, double) {
+        return std::vector<oracles::Feature>{{oracles::Feature::Kind::shock, 0.4},
+                                             {oracles::Feature::Kind::fan_corner, 0.5, 1}};
+    };
+    const auto edges = equal_edges(0, 1, 7);
+    const std::vector<double> means(7, 2.0);
+    const CellField field{{edges, means}, 0};
+    const auto errors = cell_errors(std::span(&field, 1), line, 1, 0.1).at(0);
+    CHECK(errors.l1_near == Approx(2 * 0.3).margin(accuracy));  // from 0.3 to 0.6
+    CHECK(errors.l1_away == Approx(2 * 0.7).margin(accuracy));
+}

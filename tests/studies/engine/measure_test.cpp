@@ -79,3 +79,37 @@ TEST_CASE("measure: cells that do not go with their field are a fault of the sol
     shot.edges.push_back(3);
     CHECK_THROWS_AS(error_of(Norm::l1, shot, line), std::logic_error);
 }
+
+TEST_CASE("measure: points belong to the part near a wave, or away from it, by their position", "[unit]") {
+    auto exact = on_a_line([](double) { return 0.0; });
+    exact.features = [](const std::string&, double) {
+        return std::vector<oracles::Feature>{{oracles::Feature::Kind::linear, 1, 1}};
+    };
+    auto shot = cells_with({3, 5});
+    shot.edges.clear();
+    shot.X = {7, 7};  // the exact solution is in space
+    const auto errors = errors_against_exact({{.field = "density", .norm = Norm::l1},
+                                              {.field = "density", .norm = Norm::l1_near, .near = 0.3},
+                                              {.field = "density", .norm = Norm::l1_away, .near = 0.3}},
+                                             shot, exact);
+    CHECK(errors.at(0).value == 0.5 * 3 + 1.5 * 5);
+    CHECK(errors.at(1).value == 1.5 * 5);  // x = 1.25 and not x = 0.25
+    CHECK(errors.at(2).value == 0.5 * 3);
+    exact.coordinates = oracles::Coordinates::material;
+    CHECK(errors_against_exact({{.field = "density", .norm = Norm::l1_near, .near = 0.3}}, shot, exact).at(0).value ==
+          0);
+}
+
+TEST_CASE("measure: parts of cells follow their own distance", "[unit]") {
+    auto exact = on_a_line([](double) { return 0.0; });
+    exact.features = [](const std::string&, double) {
+        return std::vector<oracles::Feature>{{oracles::Feature::Kind::shock, 0.5}};
+    };
+    const auto errors = errors_against_exact({{.field = "density", .norm = Norm::l1},
+                                              {.field = "density", .norm = Norm::l1_near, .near = 0.25},
+                                              {.field = "density", .norm = Norm::l1_away, .near = 0.25}},
+                                             cells_with({4, 8}), exact);
+    CHECK(errors.at(0).value == Approx(0.5 * 4 + 1.5 * 8).epsilon(1e-12));
+    CHECK(errors.at(1).value == Approx(0.25 * 4 + 0.25 * 8).epsilon(1e-12));
+    CHECK(errors.at(2).value == Approx(0.25 * 4 + 1.25 * 8).epsilon(1e-12));
+}
