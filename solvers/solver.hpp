@@ -76,6 +76,7 @@ struct Claim {
     std::string provided;       ///< under which condition
     std::string source;         ///< key of docs/references.bib
     double order_of_waves = 0;  ///< of the speed of waves, which smears what is not smooth; 0: order_in_space
+    bool rings = false;  ///< errors of the waves' speed run out as oscillations: no limiter or upwinding damps them
     std::vector<std::string> fields = {};  ///< those that the orders are of; empty: all
     /// What it moves as it is, without smearing it over cells: "shock", "contact", "linear", "fan_corner".
     std::vector<std::string> sharp = {};

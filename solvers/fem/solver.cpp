@@ -126,6 +126,7 @@ Claim claim(const Values& values) {
                 "displacement and velocity of smooth data; courant <= 1 with lumped, 1/sqrt 3 with consistent "
                 "mass; stress and strain are of that order at centres only",
             .source = "Hughes2000",
+            .rings = true,
             .fields =
                 options.at_centres ? std::vector<std::string>{} : std::vector<std::string>{"displacement", "velocity"}};
 }

@@ -100,6 +100,7 @@ Claim claim(const Values& values) {
             .conserves = {"mass", "momentum", "energy"},
             .provided = "smooth flow, in l1; where there are shocks and contacts at most 1",
             .source = "Toro2009",
+            .rings = order == 2 && values.word("limiter") == "central",
             .steep = steep ? std::vector<std::string>{"contact", "linear"} : std::vector<std::string>{}};
 }
 

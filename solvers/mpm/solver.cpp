@@ -181,6 +181,7 @@ Claim claim(const Values& values) {
             .provided = provided,
             .source = crossing ? "DeVaucorbeil2020" : "WobbesTielen2015",
             .order_of_waves = integrates_well(o) ? 2.0 * o.spline_degree() : 2,
+            .rings = true,
             .fields = {"displacement", "velocity"}};
 }
 

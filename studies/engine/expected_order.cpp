@@ -70,6 +70,9 @@ ExpectedOrder expected_order(Norm norm, const Method& method, const std::vector<
         if (feature.kind == Kind::singular) return none("it has no rule for the " + where);
         const double order = width_power(method, feature.kind) * (feature.derivative + inverse_power(norm));
         if (!(order > 0)) return none("in linf the " + where + " does not converge");
+        if (order < worst.order && method.rings && norm != Norm::l2 && norm != Norm::rms)
+            return none("in " + text_of(norm) + " it has no rule for the " + where +
+                        " by a method that rings (nearest: l2, rms)");
         if (order < worst.order) worst = {.order = order, .theory = theory_of(words_of(feature), norm, method)};
     }
     return worst;

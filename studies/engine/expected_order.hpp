@@ -12,6 +12,7 @@ namespace ordo::studies {
 struct Method {
     double order = 0;                     ///< formal order p, of smooth solutions
     double waves = 0;                     ///< order q of the speed of waves; 0: p
+    bool rings = false;                   ///< its errors run out as oscillations
     std::vector<std::string> sharp = {};  ///< features that it does not smear at all
     std::vector<std::string> steep = {};  ///< features that it keeps a few cells wide; shocks always
 };
@@ -34,6 +35,9 @@ struct ExpectedOrder {
 /// where all are kept sharp: p. The worst one decides. Of places only that of a shock has an order, 1: it stays within
 /// a few cells. Theory has none in linf at a jump, at singular places, for the places of contacts and fans, and for
 /// parts of l1 away from waves (behind a shock errors may be of first order or of p, inside a fan what its start left).
+///
+/// Oscillations reach far beyond the width, which l2 hardly feels but l1 and linf do: there theory has none for a
+/// method that rings.
 ///
 /// features   of the field at the time of measuring, inside of what is measured
 /// source     [Brenner1975] for jumps of derivative k in linear problems, [BanksAslamRider2008] for contacts and shocks

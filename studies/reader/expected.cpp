@@ -28,8 +28,11 @@ std::vector<oracles::Feature> features_of(const Node& node, const Study& study, 
 
 /// Along h alone the order in space; along h and dt together the smaller one, of a solver that takes steps.
 Method method_of(const Study& study, const solvers::Claim& claim) {
-    Method method{
-        .order = claim.order_in_space, .waves = claim.order_of_waves, .sharp = claim.sharp, .steep = claim.steep};
+    Method method{.order = claim.order_in_space,
+                  .waves = claim.order_of_waves,
+                  .rings = claim.rings,
+                  .sharp = claim.sharp,
+                  .steep = claim.steep};
     if (study.sweep.path == Path::joint && claim.order_in_time > 0) {
         method.order = std::min(method.order, claim.order_in_time);
         method.waves = std::min(method.waves, claim.order_in_time);

@@ -113,6 +113,12 @@ TEST_CASE("expected order: each feature in each norm", "[unit]") {
     CHECK(expected_order(Norm::rms, {.order = 3, .waves = 4}, {kink}).order == Approx(1.2));
     CHECK(expected_order(Norm::rms, {.order = 3, .waves = 4}, {bend}).order == Approx(2));
     CHECK(expected_order(Norm::rms, {.order = 3, .waves = 4}, {}).order == 3);
+    // Oscillations: l2 as ever, l1 and linf have no rule where the feature matters.
+    const Method ringing{.order = 2, .rings = true};
+    CHECK(expected_order(Norm::l2, ringing, {kink}).order == Approx(1));
+    CHECK_THAT(expected_order(Norm::l1, ringing, {kink}).refused, ContainsSubstring("by a method that rings"));
+    CHECK_THAT(expected_order(Norm::linf, ringing, {bend}).refused, ContainsSubstring("by a method that rings"));
+    CHECK(expected_order(Norm::l1, ringing, {}).order == 2);
     CHECK(order_of(Norm::l1_near, 2, {contact}) == Approx(2.0 / 3));
     for (const double p : {1.0, 1.5, 4.0}) CHECK(order_of(Norm::linf, p, {}) == p);
 }
