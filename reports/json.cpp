@@ -49,12 +49,17 @@ Json fit_json(const studies::SeriesFit& fit) {
     put("low", &studies::OrderFit::low);
     put("high", &studies::OrderFit::high);
     put("coefficient", &studies::OrderFit::coefficient);
+    put("floor", &studies::OrderFit::floor);
+    put("second_coefficient", &studies::OrderFit::second_coefficient);
+    put("second_order", &studies::OrderFit::second_order);
     put("correlation", &studies::OrderFit::correlation);
+    json["model"] = fit.outcome.fit ? studies::text_of(fit.outcome.fit->model) : "";
+    json["verdict"] = studies::text_of(fit.outcome.verdict);
+    json["reason"] = fit.outcome.reason;
     json["neighbours"] = Json::array();
     if (fit.outcome.fit) {
         for (const double order : fit.outcome.fit->neighbours) json["neighbours"].push_back(number(order));
     }
-    json["refused"] = fit.outcome.refused;
     json["used"] = fit.used;
     json["left_out"] = Json::array();
     for (const auto& [run, why] : fit.left_out) json["left_out"].push_back({{"run", run}, {"why", why}});

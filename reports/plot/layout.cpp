@@ -31,20 +31,24 @@ std::string legend_of(const Result& result, const Series& series, const std::vec
     for (const SeriesFit* fit : fits) {
         const std::string where = fits.size() > 1 && !fit->where.empty() ? " where " + fit->where : "";
         if (fit->outcome.fit) orders += "; " + order_words(*fit->outcome.fit) + where;
-        else refusals += "; no order (" + fit->outcome.refused + ")" + where;
+        else refusals += "; no order (" + fit->outcome.reason + ")" + where;
     }
     const std::string text = orders + missing_words(result, series, key) + refusals;
     return clipped(series.label, 50) + (text.empty() ? "" : ":" + text.substr(1));
 }
 
-/// Both ends of the fitted line: over the runs that the fit used and no further.
-std::array<Point, 2> ends_of(const Result& result, const View& view, const SeriesFit& fit) {
+/// The fitted line over the runs that the fit used and no further; a power law is straight, so two points are enough.
+std::vector<Point> line_of(const Result& result, const View& view, const SeriesFit& fit) {
+    const auto& found = *fit.outcome.fit;
     const auto abscissa = [&](int id) { return run_of(result, id).at(view.abscissa); };
-    const auto line = [&](double x) {
-        return Point{x, fit.outcome.fit->coefficient * std::pow(x, fit.outcome.fit->order)};
-    };
     const auto [fine, coarse] = std::ranges::minmax(fit.used, {}, abscissa);
-    return {line(abscissa(coarse)), line(abscissa(fine))};
+    const int pieces = found.model == studies::ErrorModel::power ? 1 : 48;
+    std::vector<Point> line;
+    for (int k = 0; k <= pieces; ++k) {
+        const double x = abscissa(coarse) * std::pow(abscissa(fine) / abscissa(coarse), double(k) / pieces);
+        line.push_back({x, found.error_at(x)});
+    }
+    return line;
 }
 
 Curve curve_of(const Result& result, const View& view, const Series& series) {
@@ -59,8 +63,8 @@ Curve curve_of(const Result& result, const View& view, const Series& series) {
     }
     for (const SeriesFit* fit : fits) {
         if (!fit->outcome.fit) continue;
-        const auto ends = ends_of(result, view, *fit);
-        if (drawable(ends[0]) && drawable(ends[1])) curve.fits.push_back(ends);
+        auto line = line_of(result, view, *fit);
+        if (std::ranges::all_of(line, drawable)) curve.fits.push_back(std::move(line));
     }
     return curve;
 }
@@ -69,7 +73,9 @@ Curve curve_of(const Result& result, const View& view, const Series& series) {
 std::vector<Segment> segments_of(const std::vector<Curve>& curves) {
     std::vector<Segment> segments;
     for (const auto& curve : curves) {
-        for (const auto& fit : curve.fits) segments.push_back({logarithm(fit[0]), logarithm(fit[1])});
+        for (const auto& fit : curve.fits) {
+            for (std::size_t k = 1; k < fit.size(); ++k) segments.push_back({logarithm(fit[k - 1]), logarithm(fit[k])});
+        }
         const CurvePoint* before = nullptr;
         for (const auto& point : curve.points) {
             const bool connected = before != nullptr && before->drawn;

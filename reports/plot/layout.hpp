@@ -16,11 +16,11 @@ struct CurvePoint {
     bool used = true;  ///< by a fit
 };
 
-/// One series: its points coarse to fine, both ends of each fitted line, and its legend entry.
+/// One series: its points coarse to fine, each fitted line from coarse to fine, and its legend entry.
 struct Curve {
     std::string legend;
     std::vector<CurvePoint> points;
-    std::vector<std::array<Point, 2>> fits;
+    std::vector<std::vector<Point>> fits;
 };
 
 struct Layout {

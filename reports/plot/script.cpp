@@ -34,8 +34,9 @@ std::string data_blocks(const Layout& layout) {
         const Curve& curve = layout.curves[i];
         text += data_block(fmt::format("points{}", i), point_rows(curve));
         for (std::size_t k = 0; k < curve.fits.size(); ++k) {
-            const auto& [coarse, fine] = curve.fits[k];
-            text += data_block(fmt::format("fit{}_{}", i, k), pair_text(coarse) + "\n" + pair_text(fine) + "\n");
+            std::string rows;
+            for (const auto& point : curve.fits[k]) rows += pair_text(point) + "\n";
+            text += data_block(fmt::format("fit{}_{}", i, k), rows);
         }
     }
     for (std::size_t i = 0; i < layout.triangles.size(); ++i) {

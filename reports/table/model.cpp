@@ -156,7 +156,8 @@ std::string left_out_words(const Result& result, const Series& series, const std
 
 std::string fit_line(const Result& result, const Series& series, const SeriesFit& fit) {
     std::string line = series.label + (fit.where.empty() ? "" : " where " + fit.where) + ": ";
-    line += fit.outcome.fit ? "order " + order_words(*fit.outcome.fit) : "no order: " + fit.outcome.refused;
+    line += fit.outcome.fit ? "order " + order_words(*fit.outcome.fit) : "no order";
+    line += ", " + studies::text_of(fit.outcome.verdict) + ": " + fit.outcome.reason;
     std::vector<std::string> points;
     for (const int run : fit.used) points.push_back(point_words(result, series, run));
     if (!points.empty()) line += "; points " + series.shown + " = " + joined(points);

@@ -6,6 +6,7 @@
 
 #include "core/text.hpp"
 #include "studies/engine/judge.hpp"
+#include "studies/engine/order_check.hpp"
 #include "studies/engine/run.hpp"
 
 namespace ordo::studies {
@@ -14,21 +15,6 @@ namespace {
 const Run& run_of(const Result& result, int id) { return result.runs[static_cast<std::size_t>(id)]; }
 
 std::string range_text(const std::vector<Condition>& where) { return where.empty() ? "" : " where " + text_of(where); }
-
-std::string found_text(const SeriesFit& fit) {
-    if (!fit.outcome.fit) return "no order: " + fit.outcome.refused;
-    const OrderFit& order = *fit.outcome.fit;
-    return fmt::format("{:.3f} [{:.3f}, {:.3f}], {} points", order.order, order.low, order.high, fit.used.size());
-}
-
-/// Passes only inside the band, and with an interval no wider than the band: points that scatter more, or two alone,
-/// can fail an order but not prove it.
-Verdict order_verdict(const Expectation& expectation, const SeriesFit& fit) {
-    if (!fit.outcome.fit) return Verdict::fail;
-    if (!(std::abs(fit.outcome.fit->order - expectation.value) <= expectation.within)) return Verdict::fail;
-    const bool sharp = fit.outcome.fit->high - fit.outcome.fit->low <= 2 * expectation.within;
-    return sharp ? Verdict::pass : Verdict::inconclusive;
-}
 
 /// An order that no series can show fails.
 void check_orders(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
@@ -40,10 +26,10 @@ void check_orders(const Result& result, const Expectation& expectation, std::vec
         const auto& solver = run_of(result, fit.used.empty() ? fit.left_out.front().run : fit.used.front()).solver;
         const bool ours = speaks_of(expectation, fit.quantity, solver) && speaks_along(expectation, fit.abscissa);
         if (!ours || fit.where != text_of(expectation.where)) continue;
-        checks.push_back({claim, fit.series + ": " + fit.quantity, expectation.source, order_verdict(expectation, fit),
-                          found_text(fit)});
+        checks.push_back(order_check(expectation, fit, claim));
     }
-    if (checks.size() == before) checks.push_back({claim, "all runs", expectation.source, Verdict::fail, "no series"});
+    if (checks.size() == before)
+        checks.push_back({claim, "all runs", expectation.source, Verdict::fail, "no series", Fault::no_such_series});
 }
 
 bool admits(const Expectation& expectation, const Run& run) {
@@ -51,11 +37,19 @@ bool admits(const Expectation& expectation, const Run& run) {
                        [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
 }
 
-/// Every admitted run of the series has a finite error inside the bound; `error_at_most` does not take a zero for one.
+/// What keeps an error from being inside its bound; a zero is no error at most, exactness is expected by its own name.
+Fault fault_of_error(double error, const Expectation& expectation) {
+    if (std::isnan(error)) return Fault::error_is_nan;
+    if (std::isinf(error)) return Fault::error_is_infinite;
+    if (error < 0) return Fault::error_is_negative;
+    if (error == 0 && expectation.kind != Expectation::Kind::exact_within) return Fault::error_is_zero;
+    return error <= expectation.value ? Fault::none : Fault::error_too_large;
+}
+
+/// Every admitted run of the series has a finite error inside the bound.
 Check bound_check(const Result& result, const Expectation& expectation, const Series& series,
                   const Quantity& quantity) {
-    const bool zero_accepted = expectation.kind == Expectation::Kind::exact_within;
-    const std::string name = zero_accepted ? "exact within " : "error at most ";
+    const std::string name = expectation.kind == Expectation::Kind::exact_within ? "exact within " : "error at most ";
     Check check{name + shortest(expectation.value) + range_text(expectation.where),
                 series.label + ": " + quantity.key(), expectation.source, Verdict::pass, ""};
     double worst = -1;
@@ -66,13 +60,14 @@ Check bound_check(const Result& result, const Expectation& expectation, const Se
         if (is_reference || !admits(expectation, run)) continue;
         ++runs;
         const double error = run.error(quantity.key());
-        const bool inside = error <= expectation.value && (zero_accepted ? error >= 0 : error > 0);
-        if (!inside) check.verdict = Verdict::fail;
+        if (check.fault == Fault::none) check.fault = fault_of_error(error, expectation);
         if (!(error <= worst)) worst = error;
         if (std::isnan(error)) break;
     }
-    if (runs == 0) check.verdict = Verdict::fail;
+    if (runs == 0) check.fault = Fault::no_such_series;
+    if (check.fault != Fault::none) check.verdict = Verdict::fail;
     check.found = runs == 0 ? "no run" : fmt::format("largest {:.4e}", worst);
+    if (check.fault == Fault::error_is_zero) check.found += "; an error is zero, which is expected by exact_within";
     return check;
 }
 
@@ -87,36 +82,45 @@ void check_bounds(const Result& result, const Expectation& expectation, std::vec
     }
 }
 
-/// Planned runs that are not there, there twice, or there without being planned.
-int misplaced(const Result& result) {
+/// Planned runs that are not there, and runs that are there twice or without being planned.
+struct Misplaced {
+    long missing = 0;
+    long repeated = 0;
+};
+
+Misplaced misplaced(const Result& result) {
     const auto same = [](const RunSpec& spec, const Run& run) {
         return spec.solver.label == run.solver && spec.axes == run.axes;
     };
     const auto planned = specs_of(result.study);
-    int wrong = 0;
+    Misplaced wrong;
     for (const auto& spec : planned) {
-        wrong +=
-            std::count_if(result.runs.begin(), result.runs.end(), [&](const Run& run) { return same(spec, run); }) != 1;
+        const long there = std::ranges::count_if(result.runs, [&](const Run& run) { return same(spec, run); });
+        wrong.missing += there == 0;
+        wrong.repeated += there > 1;
     }
     for (const auto& run : result.runs) {
-        wrong += std::none_of(planned.begin(), planned.end(), [&](const RunSpec& spec) { return same(spec, run); });
+        wrong.repeated += std::ranges::none_of(planned, [&](const RunSpec& spec) { return same(spec, run); });
     }
     return wrong;
 }
 
 /// Nothing is measured unless every planned run came to its end, or the study says that it may blow up.
 Check ends_check(const Result& result) {
+    const auto [missing, repeated] = misplaced(result);
+    const auto ended = [&](Status status) { return std::ranges::count(result.runs, status, &Run::status); };
+    const auto blown_up = ended(Status::diverged);
+    const auto broken = ended(Status::failed) + ended(Status::timed_out);
     Check check{"every planned run ends", "all runs", "rule of the house", Verdict::pass, ""};
-    const int wrong = misplaced(result);
-    int blown_up = 0;
-    int broken = 0;
-    for (const auto& run : result.runs) {
-        blown_up += run.status == Status::diverged;
-        broken += run.status == Status::failed || run.status == Status::timed_out;
-    }
-    if (wrong + broken > 0 || (blown_up > 0 && !result.study.diverged_allowed)) check.verdict = Verdict::fail;
-    check.found = fmt::format("{} runs, {} diverged{}, {} failed, {} missing or repeated", result.runs.size(), blown_up,
-                              result.study.diverged_allowed ? " (allowed)" : "", broken, wrong);
+    if (blown_up > 0 && !result.study.diverged_allowed) check.fault = Fault::run_diverged;
+    if (broken > 0) check.fault = Fault::run_failed;
+    if (repeated > 0) check.fault = Fault::point_repeated;
+    if (missing > 0) check.fault = Fault::point_missing;
+    if (result.runs.empty()) check.fault = Fault::nothing_measured;
+    if (check.fault != Fault::none) check.verdict = Verdict::fail;
+    check.found =
+        fmt::format("{} runs, {} diverged{}, {} failed, {} missing, {} repeated or not planned", result.runs.size(),
+                    blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken, missing, repeated);
     return check;
 }
 
@@ -134,9 +138,13 @@ Check published_check(const Result& result, const Published& table) {
     for (const auto& match : result.published) agree += match.table == table.id && match.agrees;
     const std::string how =
         table.compare == Compare::digits ? "to every printed digit" : fmt::format("within {} relative", table.band);
-    const Verdict verdict = agree == table.values.size() ? Verdict::pass : Verdict::fail;
-    return {fmt::format("{} printed values {}", table.values.size(), how), "table " + table.id + ": " + table.quantity,
-            table.source, verdict, fmt::format("{} of {}", agree, table.values.size())};
+    const bool all = agree == table.values.size();
+    return {fmt::format("{} printed values {}", table.values.size(), how),
+            "table " + table.id + ": " + table.quantity,
+            table.source,
+            all ? Verdict::pass : Verdict::fail,
+            fmt::format("{} of {}", agree, table.values.size()),
+            all ? Fault::none : Fault::published_differs};
 }
 
 }  // namespace
@@ -147,7 +155,7 @@ std::vector<Check> checks_of(const Result& result) {
         const auto counts = [&](const Run& run) { return !std::isnan(run.at(abscissa)); };
         if (!result.runs.empty() && std::ranges::none_of(result.runs, counts))
             checks.push_back({"orders against " + abscissa, "all runs", "rule of the house", Verdict::fail,
-                              "no run counts it; counted are " + joined(counters_of(result))});
+                              "no run counts it; counted are " + joined(counters_of(result)), Fault::no_such_series});
     }
     for (const auto& expectation : result.study.expect) {
         if (expectation.kind == Expectation::Kind::order) check_orders(result, expectation, checks);
@@ -158,7 +166,7 @@ std::vector<Check> checks_of(const Result& result) {
     }
     if (checks.size() == 1) {
         checks.push_back({"at least one expectation", "the study", "rule of the house", Verdict::inconclusive,
-                          "the study expects nothing"});
+                          "the study expects nothing", Fault::expects_nothing});
     }
     return checks;
 }

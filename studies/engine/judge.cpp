@@ -38,6 +38,8 @@ SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vect
         points.push_back({run.at(series.abscissa), run.error(quantity.key())});
     }
     fit.outcome = fit_order(std::move(points));
+    for (const auto& [place, why] : fit.outcome.left_out) fit.left_out.push_back({fit.used[place], why});
+    for (const auto& [run, why] : fit.left_out) std::erase(fit.used, run);
     return fit;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
-// Observed order of accuracy: least squares in log-log, sign kept, points listed.
+// Observed order of accuracy: a value, a 95 % interval that bears the model's uncertainty, and a verdict.
+// docs/orders.md says how it is found and how often it is right.
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,25 +14,57 @@ struct FitPoint {
     double error = 0;
 };
 
-/// error = coefficient * abscissa^order, with a two-sided 95 % Student interval on the order.
+/// What a series shows as its abscissa falls to zero.
+///   converges        an order, known within +- 0.2 (0.4 beside a floor or a second power)
+///   at_floor         a floor, and too few points above it for an order
+///   pre_asymptotic   orders drift, or the finest points leave the line: no asymptotic range
+///   stalled          errors do not fall: an order below 0.1
+///   diverges         errors grow
+///   inconclusive     too few points, or too much scatter, for an order
+///   invalid          no series of positive errors at different positive abscissae
+enum class Asymptotics { converges, at_floor, pre_asymptotic, stalled, diverges, inconclusive, invalid };
+std::string text_of(Asymptotics verdict);
+
+/// e = A h^p; e = A h^p + f; e = A h^p + B h^q.
+enum class ErrorModel { power, power_and_floor, two_powers };
+std::string text_of(ErrorModel model);
+
+/// Why points are no series.
+enum class Refusal { none, too_few, abscissa, repeated, is_nan, infinite, negative, zero };
+
 struct OrderFit {
     double order = 0;
-    double low = 0;  ///< interval; -inf and +inf with two points
+    double low = 0;  ///< 95 % interval; -inf and +inf with two points
     double high = 0;
-    double coefficient = 0;
-    double correlation = 0;          ///< of the logarithms
-    std::vector<double> neighbours;  ///< log(e_1/e_2)/log(h_1/h_2) of consecutive points
+    double coefficient = 0;  ///< A
+    ErrorModel model = ErrorModel::power;
+    double floor = 0;                ///< f, where the model has one [error]
+    double second_coefficient = 0;   ///< B, likewise
+    double second_order = 0;         ///< q
+    double correlation = 0;          ///< of the logarithms of the points used
+    std::vector<double> neighbours;  ///< log(e_1/e_2)/log(h_1/h_2) of all consecutive points
+
+    double error_at(double abscissa) const;  ///< of the fitted model
 };
 
-/// A fit, or the reason why there is none.
+/// A point that the fit does not use, by its place in the list that was given.
+struct UnusedPoint {
+    std::size_t place = 0;
+    std::string why;
+};
+
+/// A fit where there is one, and in any case what the series shows and why that is said.
 struct FitOutcome {
     std::optional<OrderFit> fit;
-    std::string refused;
+    Asymptotics verdict = Asymptotics::invalid;
+    std::string reason;
+    Refusal refusal = Refusal::none;  ///< where the verdict is invalid
+    std::vector<UnusedPoint> left_out;
 };
 
-/// Fits all points. Refuses, by name, fewer than two points, a NaN, infinite, negative or zero error, errors that are
-/// all equal (no convergence, so no order), and an abscissa that is not positive or is repeated. Points may come in any
-/// order; neighbours follow falling abscissae.
+/// Fits all points or, where the corrected Akaike criterion and the residuals ask for it, leaves out coarse ones, adds
+/// a floor or a second power. Points may come in any order; neighbours follow falling abscissae. Relative scatter of
+/// the errors may be of any size, the same for all points.
 FitOutcome fit_order(std::vector<FitPoint> points);
 
 /// Order between two points; NaN where it is undefined.

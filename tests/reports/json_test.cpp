@@ -106,9 +106,9 @@ TEST_CASE("json: a report says what was found, and why where nothing was", "[uni
     CHECK(ok["fits"][0]["correlation"] == fit.correlation);
     CHECK(ok["fits"][0]["neighbours"].size() == 2);
     CHECK(ok["fits"][0]["used"].size() == 3);
-    CHECK(ok["fits"][0]["refused"] == "");
+    CHECK(ok["fits"][0]["verdict"] == "converges");
     CHECK(ok["provenance"]["run_seconds"].size() == 3);
-    CHECK_THAT(json_of(all.at("nan"))["fits"][0]["refused"].get<std::string>(), ContainsSubstring("nan"));
+    CHECK_THAT(json_of(all.at("nan"))["fits"][0]["reason"].get<std::string>(), ContainsSubstring("nan"));
     const auto reference = json_of(all.at("reference"));
     CHECK(reference["fits"][0]["left_out"][0]["run"] == 3);
     CHECK(reference["fits"][0]["left_out"][0]["why"] == "it is the reference");

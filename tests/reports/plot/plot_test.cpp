@@ -178,7 +178,7 @@ TEST_CASE("plot: the legend tells the order, the interval and what is missing", 
     CHECK_THAT(script_of(report), ContainsSubstring("title 'mpm: 2.000 [1.98, 2.02]; 2 runs diverged'"));
     // However long the names and reasons are, what is missing is told.
     report.result.series[1].label = report.result.fits[1].series = std::string(200, 'f');
-    report.result.fits[1].outcome.refused = std::string(200, 'r');
+    report.result.fits[1].outcome.reason = std::string(200, 'r');
     CHECK_THAT(script_of(report), ContainsSubstring("f...: 1 error zero or not finite; no order (rrr"));
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("plot: every format is drawn, a report without a single point too", "[
     const Folder folder;
     auto report = sample();
     for (auto& run : report.result.runs) run.status = studies::Status::diverged;
-    for (auto& fit : report.result.fits) fit.outcome = {std::nullopt, "fewer than two points"};
+    for (auto& fit : report.result.fits) fit.outcome = {.fit = {}, .reason = "fewer than two points", .left_out = {}};
     const std::string name = "sample_bar-displacement.rms-h";
     draw(report, folder.path().string(), PlotFormat::pdf);
     CHECK(folder.read(name + ".pdf").starts_with("%PDF"));
@@ -232,7 +232,7 @@ TEST_CASE("plot: a hostile name is drawn and not obeyed", "[cli]") {
     for (auto& fit : report.result.fits) fit.quantity = key;
     for (auto& series : report.result.series) series.label += hostile;
     for (auto& fit : report.result.fits) fit.series += hostile;
-    report.result.fits[1].outcome.refused = hostile;
+    report.result.fits[1].outcome.reason = hostile;
     const std::string script = script_of(report);  // its own name is too long for a file; locale C has no degree sign
     folder.write("hostile.gp", script);
     const auto outcome = outside::run({"gnuplot", "-e", "output = 'hostile.svg'", "hostile.gp"},
