@@ -93,6 +93,13 @@ bool is_over_cells(Norm norm, const solvers::Snapshot& shot) {
     return !shot.edges.empty() && (norm == Norm::l1 || norm == Norm::l2);
 }
 
+/// Norm of the field itself, at the points.
+double norm_of(const Quantity& quantity, const solvers::Snapshot& shot) {
+    const Field& found = shot.field(quantity.field);
+    const std::vector<double> zero(found.values.size());
+    return error_norm(quantity.norm, found.values, zero, weights_of(quantity, shot), found.components);
+}
+
 }  // namespace
 
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
@@ -101,7 +108,11 @@ std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantit
     std::optional<AtPoints> points;
     std::optional<OverCells> cells;
     for (const auto& quantity : quantities) {
-        if (quantity.against != Against::exact) continue;
+        if (quantity.against == Against::finest) continue;
+        if (quantity.against == Against::itself) {
+            errors.push_back({quantity.key(), norm_of(quantity, shot)});
+            continue;
+        }
         if (is_over_cells(quantity.norm, shot)) {
             if (!cells) cells.emplace(shot, exact);
             errors.push_back({quantity.key(), cells->error(quantity)});
