@@ -31,6 +31,7 @@ Command plot_command();
 Command oracle_command();
 Command solve_command();
 Command basis_command();
+Command fit_command();
 Command completion_command(const std::vector<Command>& others);
 
 /// All sub-commands, in the order of `ordo --help`.

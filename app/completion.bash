@@ -2,7 +2,7 @@
 _ordo() {
     local word="${COMP_WORDS[COMP_CWORD]}" words
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve basis completion --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve basis fit completion --help --version" -- "$word")
         return
     fi
     case "${COMP_WORDS[1]}" in
@@ -15,6 +15,7 @@ _ordo() {
         oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;
         solve) words="--help --solver --t --set --out --format" ;;
         basis) words="--help --basis --show --option --cells --margin --ppc --translate --stretch --plot --format" ;;
+        fit) words="--help --abscissa --error --value --formal --format" ;;
         *) words="" ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")

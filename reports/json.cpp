@@ -3,7 +3,10 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "reports/order_view.hpp"
 #include "reports/report.hpp"
+#include "studies/engine/extrapolated.hpp"
+#include "studies/engine/joint.hpp"
 #include "studies/engine/judge.hpp"
 #include "studies/reader/json_input.hpp"
 #include "studies/reader/study_reader.hpp"
@@ -64,6 +67,23 @@ Json fit_json(const studies::SeriesFit& fit) {
     json["left_out"] = Json::array();
     for (const auto& [run, why] : fit.left_out) json["left_out"].push_back({{"run", run}, {"why", why}});
     return json;
+}
+
+Json joint_json(const studies::JointResult& joint) {
+    Json json{{"grid", joint.grid}, {"quantity", joint.quantity}, {"used", joint.used}, {"left_out", Json::array()}};
+    for (const auto& [run, why] : joint.left_out) json["left_out"].push_back({{"run", run}, {"why", why}});
+    json.update(json_of(joint.fit));
+    return json;
+}
+
+Json extrapolation_json(const studies::SeriesExtrapolation& found) {
+    Json methods = Json::array();
+    for (const auto& method : found.methods) methods.push_back(json_of(method));
+    return {{"series", found.series},
+            {"abscissa", found.abscissa},
+            {"quantity", found.quantity},
+            {"used", found.used},
+            {"methods", std::move(methods)}};
 }
 
 Json check_json(const studies::Check& check) {
@@ -179,6 +199,8 @@ std::string to_json(const Report& report) {
                     {"series", list(result.series, series_json)},
                     {"runs", list(result.runs, run_json)},
                     {"fits", list(result.fits, fit_json)},
+                    {"joint", list(studies::joint_fits_of(result.study, result.runs), joint_json)},
+                    {"extrapolations", list(studies::extrapolations_of(result), extrapolation_json)},
                     {"checks", list(result.checks, check_json)},
                     {"published", list(result.published, match_json)},
                     {"provenance", provenance_json(report)}};
@@ -191,7 +213,8 @@ Report report_from_json(const std::string& text, const std::string& where) {
     if (!root.has("schema") || !root.at("schema").is_text() || root.at("schema").text() != report_schema) {
         root.refuse(std::string("is not a report of the schema '") + report_schema + "'");
     }
-    root.only({"schema", "study", "verdict", "series", "runs", "fits", "checks", "published", "provenance"});
+    root.only({"schema", "study", "verdict", "series", "runs", "fits", "joint", "extrapolations", "checks", "published",
+               "provenance"});
     const auto study = studies::study_from_text(root.at("study").json().dump(), where + ": /study", "");
     const auto provenance = root.at("provenance");
     const auto seconds = entries(provenance.at("run_seconds"));

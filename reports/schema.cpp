@@ -15,9 +15,10 @@ using studies::Json;
 const Json text{{"type", "string"}};
 const Json above_zero{{"type", "number"}, {"exclusiveMinimum", 0}};
 
-const Json abscissa{{"type", "string"},
-                    {"pattern", "^(h|dt|1/[A-Za-z_][A-Za-z0-9_]*)$"},
-                    {"description", "what an order is fitted against: h, dt, or one over a counter of work"}};
+const Json abscissa{
+    {"type", "string"},
+    {"pattern", "^(1/)?[A-Za-z_][A-Za-z0-9_]*$"},
+    {"description", "what an order is fitted against: h, dt, a swept axis, or one over an axis or a counter of work"}};
 
 Json one_or_list(const Json& item) {
     return {{"oneOf", {item, {{"type", "array"}, {"items", item}, {"minItems", 1}}}}};
@@ -87,6 +88,8 @@ Json solvers_schema() {
 
 Json sweep_schema() {
     Json properties{{"path", words({"space", "time", "joint", "grid"})}};
+    properties["coupling"] = object({{"dt", above_zero}, {"power", above_zero}}, {"dt", "power"});
+    properties["coupling"]["description"] = "path joint: dt = C h^k, C the member dt, k the member power";
     for (const auto& solver : solvers::all_solvers()) {
         for (const auto& parameter : solver.resolution) properties[parameter.name] = one_or_list(schema_of(parameter));
     }
@@ -106,8 +109,8 @@ Json measure_schema() {
                    {"norms", one_or_list(words(studies::norm_names()))},
                    {"over", words({"final", "maximum"})},
                    {"volume", words({"current", "undeformed"})},
-                   {"against", one_or_list(words({"exact", "finest"}))},
                    {"near", above_zero},
+                   {"against", one_or_list(words({"exact", "finest", "itself"}))},
                    {"orders_against", one_or_list(abscissa)}},
                   {"at", "fields"});
 }

@@ -76,6 +76,7 @@ std::string error_words(const studies::Quantity& quantity) {
         return "error of the place of the " + norm_words(quantity.norm) + " in " + quantity.field;
     const std::string norm = (quantity.maximum ? "largest " : "") + norm_words(quantity.norm) +
                              (quantity.undeformed ? " (undeformed volumes)" : "");
+    if (quantity.against == studies::Against::itself) return norm + " norm of " + quantity.field;
     if (quantity.against == studies::Against::exact) return norm + " error of " + quantity.field;
     return norm + " difference of " + quantity.field + " from the finest run";
 }

@@ -64,7 +64,8 @@ Curve curve_of(const Result& result, const View& view, const Series& series) {
     for (const SeriesFit* fit : fits) {
         if (!fit->outcome.fit) continue;
         auto line = line_of(result, view, *fit);
-        if (std::ranges::all_of(line, drawable)) curve.fits.push_back(std::move(line));
+        if (std::ranges::all_of(line, [](const Point& point) { return drawable(point); }))
+            curve.fits.push_back(std::move(line));
     }
     return curve;
 }

@@ -31,7 +31,8 @@ std::string abscissa_name(const std::vector<View>& views, const View& view) {
 std::string abscissa_words(const studies::Study& study, const View& view) {
     const std::string counter = studies::counter_of(view.abscissa);
     if (!counter.empty()) return "1 / " + spoken(counter) + ", as the solver counts [-]";
-    if (view.abscissa != "h") return "time step dt [s]";
+    if (view.abscissa == "dt") return "time step dt [s]";
+    if (view.abscissa != "h") return view.abscissa;
     if (study.solvers.empty()) return "mesh width h [m]";
     const auto refines = [&](const studies::SolverChoice& choice) { return studies::width_axis(choice) == view.shown; };
     const auto found = std::ranges::find_if(study.solvers, refines);
@@ -56,6 +57,7 @@ std::vector<Figure> figures(const Report& report, PlotFormat format) {
     std::vector<Figure> all;
     const auto views = views_of(report.result);
     for (const auto& view : views) {
+        if (view.quantity.against == studies::Against::itself) continue;  // a norm is no error
         const std::string name = file_name(report.result.study, view.quantity, abscissa_name(views, view));
         const Layout layout = layout_of(report.result, view);
         const Words words = convergence_words(report.result, view, layout);
@@ -68,6 +70,7 @@ std::vector<Figure> figures(const Report& report, PlotFormat format, Cost cost) 
     refuse_without(report.result, cost);
     std::vector<Figure> all;
     for (const auto& quantity : report.result.study.measure.quantities) {
+        if (quantity.against == studies::Against::itself) continue;
         const std::string name = file_name(report.result.study, quantity, text_of(cost));
         const Layout layout = layout_of(report.result, quantity, cost);
         const Words words = cost_words(report, quantity, cost);

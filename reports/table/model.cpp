@@ -7,7 +7,10 @@
 #include <compare>
 
 #include "core/text.hpp"
+#include "reports/order_view.hpp"
 #include "reports/view.hpp"
+#include "studies/engine/extrapolated.hpp"
+#include "studies/engine/joint.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -94,6 +97,7 @@ Cell printed_cell(const PublishedMatch* match) {
 
 /// Order from the coarser run of the series to this one; "-" where there is none or one of them has no error.
 std::string order_text(const View& view, const Run* coarse, const Run& fine) {
+    if (view.quantity.against == Against::itself) return "-";  // neighbours have an order by threes only
     if (coarse == nullptr || stopped(*coarse) || stopped(fine)) return "-";
     const std::string key = view.quantity.key();
     const double order =
@@ -182,6 +186,10 @@ std::vector<std::string> notes_of(const Result& result, const View& view) {
             notes.push_back(fit_line(result, *series, *fit));
         }
     }
+    for (const auto& found : extrapolations_of(result)) {
+        if (found.quantity != view.quantity.key() || found.abscissa != view.abscissa) continue;
+        for (const auto& method : found.methods) notes.push_back(found.series + ": " + line_of(method));
+    }
     return notes;
 }
 
@@ -236,6 +244,10 @@ TableModel table_model(const Report& report) {
     const Result& result = report.result;
     TableModel model{result.study.name, result.study.about, {}, {}, text_of(result.verdict)};
     for (const auto& view : views_of(result)) model.tables.push_back(table_of(result, view));
+    for (const auto& joint : joint_fits_of(result.study, result.runs)) {
+        const std::string subject = "joint fit of " + joint.quantity + ", " + joint.grid + ": ";
+        for (const auto& line : lines_of(joint.fit)) model.verdicts.push_back(subject + line);
+    }
     for (const auto& check : result.checks) {
         model.verdicts.push_back(text_of(check.verdict) + ": " + check.claim + "; " + check.subject + "; " +
                                  check.found);

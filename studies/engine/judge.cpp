@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "studies/order/grid_convergence.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -28,6 +29,7 @@ SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vect
                  const std::vector<Run>& runs) {
     SeriesFit fit{series.label, quantity.key(), text_of(where), {}, {}, {}, series.abscissa};
     std::vector<FitPoint> points;
+    std::vector<GridValue> values;
     for (const int id : series.runs) {
         const Run& run = run_of(runs, id);
         if (auto why = why_left_out(run, where, quantity, series.abscissa); !why.empty()) {
@@ -36,8 +38,10 @@ SeriesFit fit_of(const Series& series, const Quantity& quantity, const std::vect
         }
         fit.used.push_back(id);
         points.push_back({run.at(series.abscissa), run.error(quantity.key())});
+        values.push_back({points.back().abscissa, points.back().error});
     }
-    fit.outcome = fit_order(std::move(points));
+    const bool errors = quantity.against != Against::itself;
+    fit.outcome = errors ? fit_order(std::move(points)) : fit_order_of_values(std::move(values));
     for (const auto& [place, why] : fit.outcome.left_out) fit.left_out.push_back({fit.used[place], why});
     for (const auto& [run, why] : fit.left_out) std::erase(fit.used, run);
     return fit;
@@ -99,7 +103,7 @@ bool speaks_of(const Expectation& expectation, const std::string& quantity, cons
 }
 
 bool speaks_along(const Expectation& expectation, const std::string& abscissa) {
-    return expectation.against.empty() ? counter_of(abscissa).empty() : expectation.against == abscissa;
+    return expectation.against.empty() ? abscissa == "h" || abscissa == "dt" : expectation.against == abscissa;
 }
 
 std::string as_printed(const std::string& printed, double value) {

@@ -7,6 +7,9 @@ namespace ordo::studies {
 /// Lines of refinement through the runs, as the sweep's path says, in the order of the runs, each coarse to fine.
 std::vector<Series> lines_of(const Study& study, const std::vector<Run>& runs);
 
+/// Runs that differ in h and dt only, where the path is `grid`; else none.
+std::vector<Series> grids_of(const Study& study, const std::vector<Run>& runs);
+
 /// These lines against the abscissae that the study asks for: the path's own, and counted work.
 std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs);
 

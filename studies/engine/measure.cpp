@@ -114,6 +114,13 @@ bool is_over_cells(Norm norm, const solvers::Snapshot& shot) {
     return !shot.edges.empty() && (norm == Norm::l1 || norm == Norm::l2 || is_part(norm));
 }
 
+/// Norm of the field itself, at the points.
+double norm_of(const Quantity& quantity, const solvers::Snapshot& shot) {
+    const Field& found = shot.field(quantity.field);
+    const std::vector<double> zero(found.values.size());
+    return error_norm(quantity.norm, found.values, zero, weights_of(quantity, shot), found.components);
+}
+
 }  // namespace
 
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
@@ -124,7 +131,11 @@ std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantit
     double near = 0;
     for (const auto& quantity : quantities) near = std::max(near, quantity.near);
     for (const auto& quantity : quantities) {
-        if (quantity.against != Against::exact) continue;
+        if (quantity.against == Against::finest) continue;
+        if (quantity.against == Against::itself) {
+            errors.push_back({quantity.key(), norm_of(quantity, shot)});
+            continue;
+        }
         if (is_over_cells(quantity.norm, shot)) {
             if (!cells) cells.emplace(shot, exact, near);
             errors.push_back({quantity.key(), cells->error(quantity)});

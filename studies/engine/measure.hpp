@@ -8,9 +8,9 @@
 
 namespace ordo::studies {
 
-/// Each quantity that is measured against the exact solution, at the snapshot's time: at its points; where it has
-/// cells, l1 and l2 are integrals over them, and the places of waves are found in them. Throws InputError where cells
-/// leave the box in which the solution holds.
+/// Each quantity that is measured against the exact solution or itself, at the snapshot's time: at its points; where it
+/// has cells, l1 and l2 are integrals over them, and the places of waves are found in them. Throws InputError where
+/// cells leave the box in which the solution holds.
 std::vector<RunFigure> errors_against_exact(const std::vector<Quantity>& quantities, const solvers::Snapshot& shot,
                                             const oracles::Exact& exact);
 

@@ -11,12 +11,12 @@ struct Finding {
 };
 
 /// What a verdict of the fit is called where it stands in the way of a pass.
-Fault fault_of(Asymptotics verdict, Fault otherwise) {
+Fault fault_of(Convergence verdict, Fault otherwise) {
     switch (verdict) {
-        case Asymptotics::at_floor: return Fault::at_floor;
-        case Asymptotics::pre_asymptotic: return Fault::pre_asymptotic;
-        case Asymptotics::stalled: return Fault::stalled;
-        case Asymptotics::diverges: return Fault::diverges;
+        case Convergence::at_floor: return Fault::at_floor;
+        case Convergence::pre_asymptotic: return Fault::pre_asymptotic;
+        case Convergence::stalled: return Fault::stalled;
+        case Convergence::diverges: return Fault::diverges;
         default: return otherwise;
     }
 }
@@ -24,14 +24,14 @@ Fault fault_of(Asymptotics verdict, Fault otherwise) {
 Finding finding_of(const Expectation& expectation, const SeriesFit& fit) {
     const FitOutcome& outcome = fit.outcome;
     if (outcome.refusal != Refusal::none) return {Verdict::fail, fault_of(outcome.refusal)};
-    if (!outcome.fit) return {Verdict::fail, fault_of(outcome.verdict, Fault::stalled)};
+    if (!outcome.fit) return {Verdict::fail, fault_of(outcome.verdict, Fault::order_uncertain)};
     if (static_cast<int>(fit.used.size()) < expectation.levels) return {Verdict::fail, Fault::fewer_levels};
     const double least = expectation.value - expectation.within;
     const double most = expectation.value + expectation.within;
     const bool too_high = expectation.may_exceed.empty() && outcome.fit->low > most;
     if (outcome.fit->high < least) return {Verdict::fail, fault_of(outcome.verdict, Fault::order_too_low)};
     if (too_high) return {Verdict::fail, Fault::order_too_high};
-    const bool proves = outcome.verdict != Asymptotics::pre_asymptotic && outcome.verdict != Asymptotics::at_floor;
+    const bool proves = outcome.verdict != Convergence::pre_asymptotic && outcome.verdict != Convergence::at_floor;
     const bool inside = outcome.fit->low >= least && (outcome.fit->high <= most || !expectation.may_exceed.empty());
     if (proves && inside) return {Verdict::pass, Fault::none};
     return {Verdict::inconclusive, fault_of(outcome.verdict, Fault::order_uncertain)};

@@ -38,7 +38,7 @@ double Run::axis(const std::string& name) const {
 
 double Run::at(const std::string& name) const {
     const std::string counter = counter_of(name);
-    if (!counter.empty()) return 1 / figure(work, counter);
+    if (!counter.empty()) return 1 / at(counter);
     const double known = axis(name);
     return std::isnan(known) ? figure(work, name) : known;
 }

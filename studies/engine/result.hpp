@@ -38,7 +38,7 @@ struct Run {
     double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none
-    /// The same, or what it counted, or one over that: "delta", "chop_outs", "1/chop_outs"; NaN when it has none.
+    /// The same, or what it counted, or one over either: "delta", "chop_outs", "1/ppc"; NaN when it has none.
     double at(const std::string& name) const;
     double error(const std::string& key) const;  ///< NaN when it has none
 };

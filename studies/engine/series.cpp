@@ -55,6 +55,39 @@ std::string label_of(const Study& study, const Run& run, const Refinement& refin
     return label.empty() ? run.solver : label;
 }
 
+/// Puts the run into the series of its label, one of those from `first` on; makes it where there is none.
+void add_to(std::vector<Series>& all, std::size_t first, const Run& run, const std::string& label,
+            const Refinement& refinement) {
+    auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                              [&](const Series& series) { return series.label == label; });
+    if (found == all.end()) found = all.insert(all.end(), {label, refinement.abscissa, refinement.shown, {}});
+    found->runs.push_back(run.id);
+}
+
+void sort_by_falling_abscissa(Series& series, const std::vector<Run>& runs) {
+    const auto abscissa = [&](int id) { return runs[static_cast<std::size_t>(id)].at(series.abscissa); };
+    std::stable_sort(series.runs.begin(), series.runs.end(), [&](int a, int b) { return abscissa(a) > abscissa(b); });
+}
+
+/// Of "tolerance" or "1/ppc" the axis, where the sweep has it; "" for h, dt and counters of work.
+std::string swept_abscissa(const Study& study, const std::string& abscissa) {
+    if (abscissa == "h" || abscissa == "dt") return "";
+    const std::string counter = counter_of(abscissa);
+    const std::string& name = counter.empty() ? abscissa : counter;
+    return swept(study, name) ? name : "";
+}
+
+/// Lines that refine this axis alone, through the runs that have it.
+void add_lines_along(const std::string& axis, const std::string& abscissa, const Study& study,
+                     const std::vector<Run>& runs, std::vector<Series>& all) {
+    const std::size_t first = all.size();
+    const Refinement refinement{{axis}, abscissa, axis};
+    for (const auto& run : runs) {
+        if (!std::isnan(run.axis(axis))) add_to(all, first, run, label_of(study, run, refinement), refinement);
+    }
+    for (std::size_t k = first; k < all.size(); ++k) sort_by_falling_abscissa(all[k], runs);
+}
+
 }  // namespace
 
 std::vector<Series> lines_of(const Study& study, const std::vector<Run>& runs) {
@@ -63,17 +96,20 @@ std::vector<Series> lines_of(const Study& study, const std::vector<Run>& runs) {
         const std::size_t first = all.size();
         for (const auto& run : runs) {
             const Refinement refinement = refinements(study, width_of(study, run))[way];
-            const std::string label = label_of(study, run, refinement);
-            auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
-                                      [&](const Series& series) { return series.label == label; });
-            if (found == all.end()) found = all.insert(all.end(), {label, refinement.abscissa, refinement.shown, {}});
-            found->runs.push_back(run.id);
+            add_to(all, first, run, label_of(study, run, refinement), refinement);
         }
     }
-    for (auto& series : all) {
-        const auto abscissa = [&](int id) { return runs[static_cast<std::size_t>(id)].axis(series.abscissa); };
-        std::stable_sort(series.runs.begin(), series.runs.end(),
-                         [&](int a, int b) { return abscissa(a) > abscissa(b); });
+    for (auto& series : all) sort_by_falling_abscissa(series, runs);
+    return all;
+}
+
+std::vector<Series> grids_of(const Study& study, const std::vector<Run>& runs) {
+    std::vector<Series> all;
+    if (study.sweep.path != Path::grid) return all;
+    for (const auto& run : runs) {
+        const std::string width = width_of(study, run);
+        const Refinement both{{width, "dt"}, "h", width};
+        add_to(all, 0, run, label_of(study, run, both), both);
     }
     return all;
 }
@@ -83,6 +119,10 @@ std::vector<Series> series_of(const Study& study, const std::vector<Run>& runs) 
     if (study.measure.orders_against.empty()) return lines;
     std::vector<Series> all;
     for (const auto& abscissa : study.measure.orders_against) {
+        if (const std::string axis = swept_abscissa(study, abscissa); !axis.empty()) {
+            add_lines_along(axis, abscissa, study, runs, all);
+            continue;
+        }
         const std::string counter = counter_of(abscissa);
         for (const auto& line : lines) {
             if (counter.empty() && line.abscissa != abscissa) continue;

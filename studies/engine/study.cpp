@@ -48,7 +48,9 @@ std::string text_of(Compare compare) {
 
 std::string Quantity::key() const {
     return field + "." + text_of(norm) + (undeformed ? ".undeformed" : "") + (maximum ? ".max" : "") +
-           (against == Against::finest ? "@finest" : "");
+           (against == Against::finest   ? "@finest"
+            : against == Against::itself ? "@itself"
+                                         : "");
 }
 
 bool Condition::holds(double found) const {

@@ -38,8 +38,9 @@ struct Sweep {
 
 /// How the end is reached: exactly at t; where t += dt first reaches it, as many papers loop; or after n steps of dt.
 enum class Until { exact, accumulated, steps };
-/// What an error is measured against: the exact solution, or the run with the smallest dt of the same series.
-enum class Against { exact, finest };
+/// What an error is measured against: the exact solution, or the run with the smallest dt of the same series. Against
+/// itself: no error but the norm of the field found, which is extrapolated, as where there is no exact solution.
+enum class Against { exact, finest, itself };
 /// Over points, or over cells where a snapshot has them: rms to linf. Where the waves of a line are off their places:
 /// shock, contact, fan_edge. l1_fans is l1 over the middle half of every fan, away from its corners; l1_near and
 /// l1_away are the parts of l1 near the waves, points or cells alike, and away from them.
@@ -54,7 +55,8 @@ struct Quantity {
     bool undeformed = false;  ///< integrals are over the undeformed body instead of the body now
     double near = 0;          ///< how far from a wave l1_near ends and l1_away begins [m]; 0 for other norms
 
-    std::string key() const;  ///< "displacement.rms", "velocity.l2.undeformed.max", "displacement.rms@finest"
+    std::string key()
+        const;  ///< "displacement.rms", "velocity.l2.undeformed.max", "displacement.rms@finest", "...@itself"
     bool operator==(const Quantity&) const = default;
 };
 

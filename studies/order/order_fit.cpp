@@ -21,11 +21,6 @@ constexpr double widest_model = 0.4;      // and that of a model with a floor or
 constexpr double as_good = 3;             // difference of the criterion up to which models are equally good
 constexpr double slope_quantile = 0.998;  // that a falling line must reach
 
-struct Refused {
-    Refusal refusal = Refusal::none;
-    std::string why;
-};
-
 /// Why these points, by falling abscissa, are no series.
 Refused refused(const std::vector<FitPoint>& points) {
     for (const auto& [abscissa, error] : points) {
@@ -97,17 +92,17 @@ Choice choice_of(const LogSeries& series) {
 }
 
 struct Said {
-    Asymptotics verdict;
+    Convergence verdict;
     std::string reason;
 };
 
 /// Verdict on a bend that no model explains: too few points for the criterion, or none that fits.
 Said said_of_bend(const LogSeries& series, const Candidate& line) {
     if (settles(series) && line.high - line.low <= 2 * widest_line && line.low > least_order)
-        return {Asymptotics::converges, "neighbour orders settle; too few points to tell models apart"};
+        return {Convergence::converges, "neighbour orders settle; too few points to tell models apart"};
     const bool few = series.size() < 7;
     return {
-        Asymptotics::pre_asymptotic,
+        Convergence::pre_asymptotic,
         few ? fmt::format("neighbour orders drift; {} points are too few for a second term, which needs 6 (floor) or "
                           "7 (second power)",
                           series.size())
@@ -130,27 +125,27 @@ bool falls(const LogSeries& series) {
 }
 
 Said said_of(const LogSeries& series, const Candidate& best) {
-    if (series.size() == 2) return {Asymptotics::inconclusive, "two points have an order, and no interval"};
-    if (best.high < 0) return {Asymptotics::diverges, "errors grow with refinement"};
-    if (best.low <= least_order && best.high < 0.3) return {Asymptotics::stalled, "errors do not fall"};
+    if (series.size() == 2) return {Convergence::inconclusive, "two points have an order, and no interval"};
+    if (best.high < 0) return {Convergence::diverges, "errors grow with refinement"};
+    if (best.low <= least_order && best.high < 0.3) return {Convergence::stalled, "errors do not fall"};
     const bool line = best.model == ErrorModel::power;
     const double half = (best.high - best.low) / 2;
     if (best.low <= least_order)
-        return {Asymptotics::inconclusive, fmt::format("the interval reaches down to {:.2g}", best.low)};
+        return {Convergence::inconclusive, fmt::format("the interval reaches down to {:.2g}", best.low)};
     if (half > (line ? widest_line : widest_model))
-        return {Asymptotics::inconclusive, fmt::format("the order is known within +- {:.2g} only", half)};
-    if (line && best.dropped == 0 && !falls(series)) return {Asymptotics::inconclusive, "the fall may be chance"};
+        return {Convergence::inconclusive, fmt::format("the order is known within +- {:.2g} only", half)};
+    if (line && best.dropped == 0 && !falls(series)) return {Convergence::inconclusive, "the fall may be chance"};
     if (best.model == ErrorModel::power_and_floor && best.asymptotic < 3)
-        return {Asymptotics::at_floor,
+        return {Convergence::at_floor,
                 fmt::format("{} points above a floor of {:.3g}", best.asymptotic, std::exp(best.fit.parameters[2]))};
     if (best.model == ErrorModel::two_powers && best.asymptotic < 3)
-        return {Asymptotics::pre_asymptotic, "two points only where the first power leads"};
+        return {Convergence::pre_asymptotic, "two points only where the first power leads"};
     const Index last = series.size() - 1;
     if (series.y[last] - series.y.minCoeff() > 3 * std::sqrt(2.0) * best.scatter)
-        return {Asymptotics::pre_asymptotic, "the error grows again at the fine end"};
+        return {Convergence::pre_asymptotic, "the error grows again at the fine end"};
     if (!best.finest_agree)
-        return {Asymptotics::pre_asymptotic, "the finest points are not where the others foretell them"};
-    return {Asymptotics::converges, words_of(best, series)};
+        return {Convergence::pre_asymptotic, "the finest points are not where the others foretell them"};
+    return {Convergence::converges, words_of(best, series)};
 }
 
 double correlation_of(const LogSeries& series) {
@@ -180,12 +175,6 @@ OrderFit fit_of(const Candidate& best, const LogSeries& series, double finest) {
 
 }  // namespace
 
-std::string text_of(Asymptotics verdict) {
-    static const std::vector<std::string> names{"converges", "at_floor",     "pre_asymptotic", "stalled",
-                                                "diverges",  "inconclusive", "invalid"};
-    return names.at(static_cast<std::size_t>(verdict));
-}
-
 std::string text_of(ErrorModel model) {
     static const std::vector<std::string> names{"A h^p", "A h^p + f", "A h^p + B h^q"};
     return names.at(static_cast<std::size_t>(model));
@@ -213,7 +202,7 @@ FitOutcome fit_order(std::vector<FitPoint> given) {
     }
     const LogSeries series = logarithms_of(points);
     if ((series.y.array() == series.y[0]).all()) {
-        outcome.verdict = Asymptotics::stalled;
+        outcome.verdict = Convergence::stalled;
         outcome.reason = "all errors are equal: no convergence";
         return outcome;
     }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/order/convergence.hpp"
+
 namespace ordo::studies {
 
 /// One point of a convergence line: abscissa (h or dt) and error.
@@ -14,23 +16,18 @@ struct FitPoint {
     double error = 0;
 };
 
-/// What a series shows as its abscissa falls to zero.
-///   converges        an order, known within +- 0.2 (0.4 beside a floor or a second power)
-///   at_floor         a floor, and too few points above it for an order
-///   pre_asymptotic   orders drift, or the finest points leave the line: no asymptotic range
-///   stalled          errors do not fall: an order below 0.1
-///   diverges         errors grow
-///   inconclusive     too few points, or too much scatter, for an order
-///   invalid          no series of positive errors at different positive abscissae
-enum class Asymptotics { converges, at_floor, pre_asymptotic, stalled, diverges, inconclusive, invalid };
-std::string text_of(Asymptotics verdict);
-
 /// e = A h^p; e = A h^p + f; e = A h^p + B h^q.
 enum class ErrorModel { power, power_and_floor, two_powers };
 std::string text_of(ErrorModel model);
 
 /// Why points are no series.
 enum class Refusal { none, too_few, abscissa, repeated, is_nan, infinite, negative, zero };
+
+/// The same with its words: "the error is nan at abscissa 0.5".
+struct Refused {
+    Refusal refusal = Refusal::none;
+    std::string why = {};
+};
 
 struct OrderFit {
     double order = 0;
@@ -56,7 +53,7 @@ struct UnusedPoint {
 /// A fit where there is one, and in any case what the series shows and why that is said.
 struct FitOutcome {
     std::optional<OrderFit> fit;
-    Asymptotics verdict = Asymptotics::invalid;
+    Convergence verdict = Convergence::invalid;
     std::string reason;
     Refusal refusal = Refusal::none;  ///< where the verdict is invalid
     std::vector<UnusedPoint> left_out;

@@ -60,7 +60,7 @@ std::string against_from(const Node& node, const Study& study, bool order) {
         node.at("against").one_of(fitted);
         return node.at("against").text();
     }
-    const auto own = [](const std::string& abscissa) { return counter_of(abscissa).empty(); };
+    const auto own = [](const std::string& abscissa) { return abscissa == "h" || abscissa == "dt"; };
     if (order && std::none_of(fitted.begin(), fitted.end(), own))
         node.refuse("must say 'against' what its order is: " + joined(fitted));
     return "";
@@ -122,6 +122,12 @@ Expectation expectation_from(const Node& node, const Study& study) {
             item.one_of(solver_labels(study));
             expectation.solvers.push_back(item.text());
         }
+    }
+    for (const auto& quantity : study.measure.quantities) {
+        const auto& spoken = expectation.quantities;
+        const bool named = spoken.empty() || std::find(spoken.begin(), spoken.end(), quantity.key()) != spoken.end();
+        if (!order && named && quantity.against == Against::itself)
+            node.refuse("bounds '" + quantity.key() + "', which is no error; name errors in 'of'");
     }
     expectation.source = node.at("source").text();
     return expectation;

@@ -68,7 +68,7 @@ void check_waves(const Node& node, const Study& study, const Measure& measure) {
         if (!solvers::is_line(problem_of(study)))
             norms.refuse(norm + " needs a scene on a line of gas or elastic cells");
         if (quantity.maximum) norms.refuse(norm + " needs 'over' to be 'final': at t = 0 all waves are at one place");
-        if (quantity.against == Against::finest) norms.refuse(norm + " needs 'against' to be 'exact'");
+        if (quantity.against != Against::exact) norms.refuse(norm + " needs 'against' to be 'exact'");
         if (measure.until == Until::steps) continue;
         const auto why = why_nothing_of(quantity.norm, exact, quantity.field, measure.at);
         if (!why.empty()) norms.refuse(norm + " has nothing to measure: " + why);
@@ -103,14 +103,20 @@ void check_parts(const Node& node, const Study& study, const Measure& measure) {
 }
 
 std::vector<std::string> orders_against_from(const Node& node, const Study& study) {
-    static const std::regex counter(R"(1/[A-Za-z_]\w*)");
+    static const std::regex one_over(R"(1/[A-Za-z_]\w*)");
     const auto own = own_abscissae(study.sweep.path);
+    auto known = own;
+    for (const auto& axis : study.sweep.axes) {
+        if (axis.name != "dt" && axis.values.size() > 1) known.push_back(axis.name);
+    }
     std::vector<std::string> abscissae;
     for (const auto& item : node.items()) {
         const std::string word = item.text();
-        if (std::ranges::find(own, word) == own.end() && !std::regex_match(word, counter)) {
+        if (std::ranges::find(known, word) == known.end() && !std::regex_match(word, one_over)) {
             item.refuse("is '" + word + "', but must be " + joined(own, " or ") +
-                        " (the sweep's path), or one over a counter of work: '1/steps'");
+                        " (the sweep's path), a swept axis, or one over an axis or a counter of work: '1/ppc', "
+                        "'1/steps'" +
+                        did_you_mean(word, known));
         }
         if (std::ranges::find(abscissae, word) != abscissae.end()) item.refuse("repeats '" + word + "'");
         abscissae.push_back(word);
@@ -134,7 +140,7 @@ Measure measure_from(const Node& node, const Study& study) {
     const bool undeformed = node.has("volume") && node.at("volume").one_of({"current", "undeformed"}) == 1;
     if (undeformed && !solvers::is_solid(problem_of(study)))
         node.at("volume").refuse("is \"undeformed\", but the scene has no body");
-    for (const Against truth : words_from(node, "against", {"exact", "finest"}, Against::exact)) {
+    for (const Against truth : words_from(node, "against", {"exact", "finest", "itself"}, Against::exact)) {
         if (truth == Against::finest && (study.sweep.path != Path::time || maximum)) {
             node.refuse("'against' may be 'finest' only where the sweep's path is 'time' and 'over' is 'final'");
         }

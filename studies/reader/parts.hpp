@@ -2,6 +2,7 @@
 // Parts of the study reader; study_reader.cpp puts them together.
 #include <vector>
 
+#include "solvers/solver.hpp"
 #include "studies/engine/study.hpp"
 #include "studies/reader/json_input.hpp"
 #include "studies/reader/study_reader.hpp"
@@ -12,7 +13,8 @@ namespace ordo::studies {
 void put_setting(Json& document, const Setting& setting);
 
 /// The axes and the path, each value checked against what the solvers declare, and the path against the axes.
-Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices);
+/// `coupling`, dt = C h^k, becomes the axis dt beside the width's.
+Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices, const solvers::Scene& problem);
 
 /// What is measured, when, and against what; fields and norms must be there to measure.
 Measure measure_from(const Node& node, const Study& study);

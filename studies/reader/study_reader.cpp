@@ -118,7 +118,8 @@ Study study_from(Json document, const std::string& where, const std::string& fol
     if (root.has("source")) study.source = root.at("source").texts();
     study.scene = scene_from(root.at("scene"));
     study.solvers = all_solvers_from(root.at("solvers"), study.scene);
-    study.sweep = sweep_from(root.at("sweep"), study.solvers);
+    const auto problem = scene_named(study.scene.name, "").problem(study.scene.values);
+    study.sweep = sweep_from(root.at("sweep"), study.solvers, problem);
     study.measure = measure_from(root.at("measure"), study);
     if (root.has("expect")) study.expect = expectations_from(root.at("expect"), study);
     if (root.has("published")) study.published = published_from(root.at("published"), study);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 #include "solvers/solver.hpp"
@@ -47,7 +48,7 @@ void check_path(const Node& node, const Sweep& sweep, const std::string& width_n
     }
     if (sweep.path != Path::joint || courant) return;
     if (width == nullptr || dt == nullptr || width->values.size() != dt->values.size()) {
-        node.refuse("path 'joint' needs 'courant', or as many values of 'dt' as of '" + width_name + "'");
+        node.refuse("path 'joint' needs 'courant', a 'coupling', or as many values of 'dt' as of '" + width_name + "'");
     }
 }
 
@@ -57,15 +58,57 @@ bool takes_steps(const SolverChoice& choice) {
     return find_parameter(known, "dt") != nullptr || find_parameter(known, "courant") != nullptr;
 }
 
+double above_zero(const Node& node) {
+    const double value = node.number();
+    if (!(value > 0) || !std::isfinite(value)) node.refuse("is " + shortest(value) + ", but must be > 0");
+    return value;
+}
+
+/// h that the solver plans with the first value of every axis but the width's.
+double width_at(double value, const SolverChoice& choice, const Sweep& sweep, const solvers::Scene& problem,
+                const Node& node) {
+    const auto& solver = solvers::solver_named(choice.name, "");
+    Given given{{"dt", node.at("dt").number()}};
+    for (const auto& axis : sweep.axes) {
+        if (find_parameter(solver.resolution, axis.name) != nullptr)
+            given[axis.name] = axis.name == solver.width_axis ? value : axis.values.front();
+    }
+    return solver.plan(problem, choice.options, resolve(solver.resolution, given, node.where(), solver.name)).h;
+}
+
+/// dt = C h^k beside each value of the width axis, from {"dt": C, "power": k}: the axis that path 'joint' zips.
+Axis coupled_steps(const Node& node, const Sweep& sweep, const std::vector<SolverChoice>& choices,
+                   const solvers::Scene& problem) {
+    node.only({"dt", "power"});
+    const double factor = above_zero(node.at("dt")), power = above_zero(node.at("power"));
+    if (sweep.path != Path::joint) node.refuse("belongs to path 'joint' only");
+    if (find_axis(sweep, "dt") != nullptr || find_axis(sweep, "courant") != nullptr)
+        node.refuse("gives the step, so that 'dt' and 'courant' must not be swept");
+    Axis steps{"dt", {}};
+    for (const auto& choice : choices) {
+        if (find_parameter(solvers::solver_named(choice.name, "").resolution, "dt") == nullptr) continue;
+        const Axis* width = find_axis(sweep, width_axis(choice));
+        if (width == nullptr) node.refuse("needs the axis '" + width_axis(choice) + "'");
+        std::vector<double> own;
+        for (const double value : width->values)
+            own.push_back(factor * std::pow(width_at(value, choice, sweep, problem, node), power));
+        if (!steps.values.empty() && own != steps.values)
+            node.refuse("solvers differ in h, so that they would differ in dt; give them a study each");
+        steps.values = std::move(own);
+    }
+    if (steps.values.empty()) node.refuse("no solver takes a 'dt'");
+    return steps;
+}
+
 }  // namespace
 
-Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices) {
+Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices, const solvers::Scene& problem) {
     if (!node.is_object() || node.json().empty()) node.refuse("must be an object with at least one axis");
     Sweep sweep;
     const auto path = node.at("path").one_of({"space", "time", "joint", "grid"});
     sweep.path = static_cast<Path>(path);
     for (const auto& member : node.members()) {
-        if (member.key() == "path") continue;
+        if (member.key() == "path" || member.key() == "coupling") continue;
         sweep.axes.push_back(axis_from(member));
         bool known = choices.empty();
         for (const auto& choice : choices) {
@@ -80,6 +123,7 @@ Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices) {
         member.refuse("is not a resolution of solver " + choices.front().name +
                       did_you_mean(member.key(), names_of(declared)));
     }
+    if (node.has("coupling")) sweep.axes.push_back(coupled_steps(node.at("coupling"), sweep, choices, problem));
     const bool mixed = std::any_of(choices.begin(), choices.end(), takes_steps);
     for (const auto& choice : choices) {
         if (takes_steps(choice) || !mixed) check_path(node, sweep, width_axis(choice));

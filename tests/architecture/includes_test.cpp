@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>> may_use{
     {"core", {}},
     {"solvers", {"Eigen/"}},
     {"oracles", {"boost/math/", "gsl/"}},
-    {"studies", {"nlohmann/", "fmt/", "boost/math/", "boost/asio/"}},
+    {"studies", {"nlohmann/", "fmt/", "boost/math/", "boost/asio/", "Eigen/", "unsupported/Eigen/"}},
     {"reports", {"nlohmann/", "fmt/", "POSIX"}},
     {"app", {"boost/program_options", "nlohmann/", "fmt/", "POSIX"}},
 };

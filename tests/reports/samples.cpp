@@ -86,6 +86,14 @@ std::map<std::string, reports::Report> reports_of_every_kind() {
     changed["measure"]["norms"] = {"rms", "l1", "l2", "linf"};
     changed["measure"]["over"] = "maximum";
     all["two solvers"] = report_of(changed);
+    changed = study();
+    changed["sweep"] = {{"cells", {4, 8, 16}}, {"dt", {0.02, 0.01, 0.005}}, {"path", "grid"}};
+    changed.erase("expect");
+    all["grid"] = report_of(changed);
+    changed = study();
+    changed["measure"]["against"] = "itself";
+    changed["expect"].erase(1);
+    all["itself"] = report_of(changed);
     return all;
 }
 

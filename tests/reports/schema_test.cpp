@@ -112,7 +112,7 @@ Documents wrong_reports() {
                                   {"/verdict", R"("perhaps")"},
                                   {"/checks/0/verdict", R"("passed")"},
                                   {"/checks", "[]"},
-                                  {"/series/0/abscissa", R"("x")"},
+                                  {"/series/0/abscissa", R"("1/")"},
                                   {"/series/0/runs", "[]"},
                                   {"/series/0/runs/0", "0.5"},
                                   {"/runs", "{}"},

@@ -1,4 +1,6 @@
 // Lines of refinement, against h, against counted work, and where solvers refine widths of different names.
+#include <cmath>
+
 #include "studies/engine/judge.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/planned_runs.hpp"
@@ -109,4 +111,36 @@ TEST_CASE("solvers that refine widths of different names have a line each, by th
     CHECK(lines[1].label == "iterated");
     CHECK(lines[1].shown == "iterations");
     CHECK(lines[1].runs == std::vector<int>{3, 4, 2});
+}
+
+TEST_CASE("an order against a swept axis refines that axis alone", "[unit]") {
+    auto document = with("/measure/orders_against", R"(["h", "1/ppc", "ppc"])");
+    document["sweep"]["ppc"] = {1, 2, 4};
+    document["expect"] = {{{"order", 3}, {"within", 0.1}, {"against", "1/ppc"}, {"source", "made by hand"}}};
+    const Study study = study_of(document);
+    auto runs = planned_runs(study, second_order);
+    for (auto& run : runs) run.errors[0].value = run.h / std::pow(run.axis("ppc"), 3);
+    const Result result = judged(study, runs);
+    REQUIRE(result.series.size() == 9);  // three lines along h, three along ppc, twice
+    CHECK(result.series[3].label == "cells = 4");
+    CHECK(result.series[3].abscissa == "1/ppc");
+    CHECK(result.series[3].shown == "ppc");
+    CHECK(result.fits[0].outcome.fit->order == Approx(1).epsilon(1e-12));
+    CHECK(result.fits[3].outcome.fit->order == Approx(3).epsilon(1e-12));
+    CHECK(result.fits[6].outcome.fit->order == Approx(-3).epsilon(1e-12));
+    CHECK(result.verdict == Verdict::pass);  // the claim speaks of 1/ppc alone
+    for (auto& run : runs) run.errors[0].value = run.h / run.axis("ppc");
+    CHECK(verdict_of(study, runs) == Verdict::fail);
+}
+
+TEST_CASE("a coupling takes dt from the real h of each mesh", "[unit]") {
+    auto document = with("/sweep", R"({"cells": [4, 8, 16], "coupling": {"dt": 1e-3, "power": 2}, "path": "joint"})");
+    const Study study = study_of(document);
+    const auto runs = planned_runs(study, second_order);
+    REQUIRE(runs.size() == 3);
+    for (const auto& run : runs) CHECK(run.axis("dt") == Approx(1e-3 * run.h * run.h).epsilon(1e-14));
+    CHECK(runs[0].h == 25.0 / 4);
+    CHECK(judged(study, runs).verdict == Verdict::pass);
+    document["sweep"]["dt"] = {0.1, 0.2, 0.3};
+    CHECK_THROWS_WITH(study_of(document), ContainsSubstring("/sweep/coupling: gives the step"));
 }

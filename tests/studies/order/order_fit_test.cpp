@@ -43,7 +43,7 @@ OrderFit fitted(const Points& points) {
 std::string refusal(const Points& points) {
     const FitOutcome outcome = fit_order(points);
     CHECK_FALSE(outcome.fit.has_value());
-    CHECK(outcome.verdict == (outcome.refusal == Refusal::none ? Asymptotics::stalled : Asymptotics::invalid));
+    CHECK(outcome.verdict == (outcome.refusal == Refusal::none ? Convergence::stalled : Convergence::invalid));
     return outcome.reason;
 }
 
@@ -58,13 +58,13 @@ Points sound_wave() {
 struct Line {
     std::string name;
     Points points;
-    Asymptotics verdict;
+    Convergence verdict;
     double order;                  ///< inside the interval
     double lowest, highest, last;  ///< neighbour orders
 };
 
 std::vector<Line> torture_set() {
-    using enum Asymptotics;
+    using enum Convergence;
     const auto parabola = [](double h) { return h * h / 2; };
     return {{"h^2/2, ratio 2", line(0.5, 2, 6, parabola), converges, 2, 2, 2, 2},
             {"h^2/2, ratio 10", line(0.5, 10, 6, parabola), converges, 2, 2, 2, 2},
@@ -88,7 +88,7 @@ TEST_CASE("order fit: a sound wave that meets its floor has order 2 in its inter
     const std::vector<double> neighbours{2.289, 2.481, 1.999, 1.875, 0.945, 0.190};
     REQUIRE(fit.neighbours.size() == neighbours.size());
     for (std::size_t k = 0; k < neighbours.size(); ++k) CHECK(fit.neighbours[k] == Approx(neighbours[k]).margin(6e-4));
-    CHECK(outcome.verdict == Asymptotics::converges);
+    CHECK(outcome.verdict == Convergence::converges);
     CHECK((fit.low < 2 && 2 < fit.high));
     CHECK(fit.high - fit.low < 1);
     CHECK(fit.model == ErrorModel::power_and_floor);
@@ -105,7 +105,7 @@ TEST_CASE("order fit: lines that have broken other estimators", "[unit]") {
         const OrderFit fit = fitted(points);
         CHECK(text_of(fit_order(points).verdict) == text_of(verdict));
         CHECK((fit.low <= order + 1e-6 && order - 1e-6 <= fit.high));
-        if (verdict == Asymptotics::converges) CHECK(fit.order == Approx(order).margin(1e-3));
+        if (verdict == Convergence::converges) CHECK(fit.order == Approx(order).margin(1e-3));
         CHECK(*std::min_element(fit.neighbours.begin(), fit.neighbours.end()) == Approx(lowest).margin(6e-3));
         CHECK(*std::max_element(fit.neighbours.begin(), fit.neighbours.end()) == Approx(highest).margin(6e-3));
         CHECK(fit.neighbours.back() == Approx(last).margin(6e-3));
@@ -130,7 +130,7 @@ TEST_CASE("order fit: few noise-free points whose orders settle have an order an
     for (const int count : {3, 4, 5, 6}) {
         INFO(count);
         const Points points = line(0.25, 2, count, [](double h) { return h * h * (1 + 0.5 * h); });
-        CHECK(fit_order(points).verdict == Asymptotics::converges);
+        CHECK(fit_order(points).verdict == Convergence::converges);
         const OrderFit fit = fitted(points);
         CHECK((fit.low < 2 && 2 < fit.high));
         CHECK(fit.high - fit.low < 0.4);
@@ -138,7 +138,7 @@ TEST_CASE("order fit: few noise-free points whose orders settle have an order an
 }
 
 TEST_CASE("order fit: what is no asymptotic range is called by its name", "[unit]") {
-    using enum Asymptotics;
+    using enum Convergence;
     const auto verdict = [](const Points& points) { return text_of(fit_order(points).verdict); };
     // One term of order 2, and a floor that takes over after two levels of eight.
     CHECK(verdict(line(1, 2, 8, [](double h) { return h * h + 0.2; })) == text_of(at_floor));

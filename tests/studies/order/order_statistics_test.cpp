@@ -14,7 +14,7 @@
 
 using namespace ordo;
 using series::Kind;
-using studies::Asymptotics;
+using studies::Convergence;
 
 namespace {
 
@@ -42,7 +42,7 @@ Count counted(Kind kind) {
     for (int place = 0; place < each; ++place) {
         const auto drawn = draw.next(kind, place);
         const auto outcome = studies::fit_order(drawn.points);
-        const bool converges = outcome.verdict == Asymptotics::converges;
+        const bool converges = outcome.verdict == Convergence::converges;
         const bool covered = outcome.fit && outcome.fit->low <= drawn.order && drawn.order <= outcome.fit->high;
         count.covered += covered;
         count.converges += converges;
