@@ -120,6 +120,7 @@ Steps steps_in(const std::vector<std::vector<double>>& values, double least) {
         places.push_back(place_of(at_place));
         if (std::isfinite(places.back().mean)) largest = std::max(largest, std::abs(places.back().mean));
     }
+    if (places.empty()) return {};
     const Noise here = noise_at(values);
     const Noise between = noise_between(places);
     const double penalty = penalty_of(here.freedom + between.freedom, places.size());
