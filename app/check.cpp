@@ -87,8 +87,8 @@ int check(const po::variables_map& options, const std::vector<std::string>& file
     for (const auto& file : {junit, summary}) {
         if (!file.empty()) reports::check_writable(file);
     }
-    print(results, asked, options.contains("verbose"));
-    if (options.contains("annotations")) std::cout << reports::annotations(results);
+    print(results, asked, options["verbose"].as<bool>());
+    if (options["annotations"].as<bool>()) std::cout << reports::annotations(results);
     if (!junit.empty()) reports::write_whole(junit, reports::junit(results));
     if (!summary.empty()) reports::write_whole(summary, reports::summary(results));
     const auto counts = reports::counts_of(results);
@@ -104,9 +104,9 @@ Command check_command() {
         ("against", po::value<std::string>()->value_name("DIR"), "also compare with the accepted reports in DIR")
         ("times", po::value<double>()->value_name("X"),
          "also hold the time of the runs, in reference kernels, to within this factor of the accepted, up and down")
-        ("verbose,v", "show the checks that pass, too")
+        ("verbose,v", po::bool_switch(), "show the checks that pass, too")
         ("junit", po::value<std::string>()->value_name("FILE"), "write the checks as JUnit XML")
-        ("annotations", "print what does not pass as commands for GitHub Actions")
+        ("annotations", po::bool_switch(), "print what does not pass as commands for GitHub Actions")
         ("summary", po::value<std::string>()->value_name("FILE"), "write a summary in Markdown");
     // clang-format on
     return {

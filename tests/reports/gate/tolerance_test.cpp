@@ -64,6 +64,21 @@ TEST_CASE("tolerance: at least the median spread of the figures of one solver an
     CHECK(reports::tolerances({apart, twin})[0] == 16 * std::numeric_limits<double>::epsilon());
 }
 
+TEST_CASE("tolerance: where the spreads of a group grow with its values, the usual one is a share of the value",
+          "[unit]") {
+    const auto found =
+        reports::tolerances({figures({1, 10, 100, 1000, 10000}), figures({1, 10.25, 102.5, 1025, 10250})});
+    CHECK(found[0] == Approx(0.25));  // agrees by luck; the others are off by 2.5 %
+    CHECK(found[1] == Approx(2.5));
+    CHECK(found[4] == Approx(2500));
+}
+
+TEST_CASE("tolerance: round-off that is as large as the errors is an amount for all of them", "[unit]") {
+    const auto found =
+        reports::tolerances({figures({1e-17, 2e-16, 3e-16, 1e-15}), figures({1.1e-17, 1e-17, 4e-16, 1e-16})});
+    CHECK(found[0] >= 1e-15);
+}
+
 TEST_CASE("tolerance: where all agree to the bit, sixteen units in the last place", "[unit]") {
     const double value = 0.75;  // its last place is half an epsilon
     const double ulps = 8 * std::numeric_limits<double>::epsilon();
