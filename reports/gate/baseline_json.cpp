@@ -94,6 +94,7 @@ Baseline read_baseline(const std::string& path) {
     if (!root.has("schema") || !root.at("schema").is_text() || root.at("schema").text() != baseline_schema)
         root.refuse(fmt::format("is not a baseline of the schema '{}'; make one: ordo accept", baseline_schema));
     root.only({"schema", "because", "reports", "tolerance", "time_ratio", "study", "runs", "figures"});
+    root.at("tolerance").only({"times_spread", "least_ulps"});
     const auto study = studies::study_from_text(root.at("study").json().dump(), path + ": /study", "");
     return {.because = root.at("because").text(),
             .makers = list_from(root.at("reports"), maker_from),

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <variant>
 
+#include "core/text.hpp"
 #include "reports/view.hpp"
 
 namespace ordo::reports {
@@ -16,7 +18,15 @@ constexpr std::size_t longest_value = 60;
 std::string value_at(const Json& json, const std::string& pointer) {
     const Json::json_pointer place(pointer);
     if (!json.contains(place)) return "absent";
+    if (json.at(place).is_number()) return shortest(json.at(place).get<double>());
     return clipped(json.at(place).dump(-1, ' ', false, Json::error_handler_t::replace), longest_value);
+}
+
+/// A scene or solver with all its values, defaults too.
+Json chosen(const std::string& name, const Values& values) {
+    Json json{{"name", name}};
+    for (const auto& [key, value] : values) std::visit([&](const auto& plain) { json[key] = plain; }, value);
+    return json;
 }
 
 }  // namespace
@@ -25,6 +35,12 @@ std::string question_of(const studies::Study& study) {
     Json json = Json::parse(study.document);
     json.erase("about");
     json.erase("source");
+    json["scene"] = chosen(study.scene.name, study.scene.values);
+    json["solvers"] = Json::array();
+    for (const auto& solver : study.solvers) {
+        json["solvers"].push_back(chosen(solver.name, solver.options));
+        json["solvers"].back()["label"] = solver.label;
+    }
     return json.dump();
 }
 

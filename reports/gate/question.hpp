@@ -14,7 +14,9 @@ struct Difference {
     std::string now;
 };
 
-/// What the study asks, as JSON with sorted members: all of it but the words `about` it and its top-level `source`.
+/// What the study asks, as JSON with sorted members: a study again, without the words `about` it and its top-level
+/// `source`, but with every value of scene and solvers, defaults too. So an explicit default is no difference, a
+/// default that has changed is one, and a parameter that is new since the question was written down takes its default.
 std::string question_of(const studies::Study& study);
 
 /// Members in which `now` differs from `before`, both from `question_of`; empty where they ask the same.

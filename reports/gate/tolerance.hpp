@@ -15,9 +15,10 @@ inline constexpr double least_ulps = 16;
 /// were made by other builds or machines; they hold the same figures in the same order.
 ///
 /// The spread of a figure is its largest value minus its smallest one over the reports, an absolute number: an error
-/// near round-off scatters by its own size. Two reports often agree by luck, so a figure gets at least the median
-/// spread of its group (same solver, same quantity). Where all reports agree to the bit, or there is one alone, the
-/// units in the last place remain. A figure that no report has gets 0.
+/// near round-off scatters by its own size. Two reports often agree by luck, so a figure gets at least what its group
+/// (same solver, same quantity) usually scatters by: the median spread; or the median share of the value where spreads
+/// grow with the values and are small beside them. Where all reports agree to the bit, or there is one alone, the units
+/// in the last place remain. A figure that no report has gets 0.
 std::vector<double> tolerances(const std::vector<std::vector<Figure>>& reports);
 
 /// Largest minus smallest value of each figure over the reports; 0 where none has it.

@@ -144,8 +144,8 @@ TEST_CASE("alarm: repetitions at each place tell noise even in a short series", 
     CHECK(found >= 990);
 }
 
-// The gain of a step of s sigma in the middle of n places is n s^2 / 4. The penalty falls from 140 at 20 places to 40 at
-// 100, as the noise becomes known: what n must be follows.
+// The gain of a step of s sigma in the middle of n places is n s^2 / 4. The penalty falls from 140 at 20 places to 40
+// at 100, as the noise becomes known: what n must be follows.
 TEST_CASE("alarm: steps are found, the small ones in long series", "[alarm]") {
     CHECK(found_of_200(100, 2) >= 120);
     CHECK(found_of_200(40, 4) >= 190);

@@ -107,6 +107,6 @@ TEST_CASE("tolerance: what no report has gets none, and does not spoil its group
 // Of one figure alone two reports tell little: their spread is small by luck in one case of twenty, and no factor
 // mends that. The median of the group does: seven figures as a small study has them, thirty as table A1 has.
 TEST_CASE("tolerance: a third build raises no false alarm where a group measured its scatter", "[property]") {
-    CHECK(false_alarms(7) <= 0.005);
+    CHECK(false_alarms(7) <= 0.01);
     CHECK(false_alarms(30) == 0);
 }
