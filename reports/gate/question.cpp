@@ -25,7 +25,7 @@ std::string value_at(const Json& json, const std::string& pointer) {
 /// A scene or solver with all its values, defaults too.
 Json chosen(const std::string& name, const Values& values) {
     Json json{{"name", name}};
-    for (const auto& [key, value] : values) std::visit([&](const auto& plain) { json[key] = plain; }, value);
+    for (const auto& [key, value] : values.all()) std::visit([&](const auto& plain) { json[key] = plain; }, value);
     return json;
 }
 
