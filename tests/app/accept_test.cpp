@@ -68,10 +68,10 @@ TEST_CASE("cli: accepting another question says which member changed", "[cli]") 
     const Folder folder;
     make_report(folder);
     REQUIRE(folder.ordo(accept).code == 0);
-    make_report(folder, {"scene.E=90"});
+    make_report(folder, {"scene.rho=1.1"});
     const auto again = folder.ordo(accept);
     CHECK(again.code == 0);
-    CHECK_THAT(again.out, ContainsSubstring("the study's /scene/E was 100, is 90"));
+    CHECK_THAT(again.out, ContainsSubstring("the study's /scene/rho was 1, is 1.1"));
 }
 
 TEST_CASE("cli: what lies in the baseline's place and is none is replaced, and said so", "[cli]") {

@@ -110,10 +110,10 @@ TEST_CASE("alarm: another study, or none accepted, is no baseline", "[cli]") {
     CHECK_THAT(none.out, ContainsSubstring("no_baseline") && ContainsSubstring("there is no base/sample.json") &&
                              ContainsSubstring("ordo accept REPORT --because TEXT"));
     accept(folder);
-    make_report(folder, {"scene.E=50"});
+    make_report(folder, {"scene.rho=2"});
     const auto other = folder.ordo(against_base);
     CHECK(other.code == 1);
-    CHECK_THAT(other.out, ContainsSubstring("study: /scene/E  study_differs  100       50"));
+    CHECK_THAT(other.out, ContainsSubstring("study: /scene/rho  study_differs  1         2"));
 }
 
 TEST_CASE("alarm: a baseline that cannot be read is a bad input, not a missing one", "[cli]") {

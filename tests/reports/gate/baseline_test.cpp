@@ -104,8 +104,8 @@ TEST_CASE("alarm: what is no twin measures no scatter, and is refused by name", 
     CHECK_THAT(refusal(sample()), ContainsSubstring("twin.json: is no twin: the same compiler"));
 
     Json changed = samples::study();
-    changed["scene"]["E"] = 50;
-    CHECK_THAT(refusal(samples::report_of(changed)), ContainsSubstring("/scene/E was 100, is 50"));
+    changed["scene"]["rho"] = 2;
+    CHECK_THAT(refusal(samples::report_of(changed)), ContainsSubstring("/scene/rho was 1, is 2"));
 
     auto fewer = twin();
     fewer.result.runs.pop_back();

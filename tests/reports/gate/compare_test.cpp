@@ -166,7 +166,7 @@ TEST_CASE("alarm: a different question is not compared, and each member in which
 
 TEST_CASE("compare: the words about a study are no part of the question, nor is a default that is written", "[unit]") {
     Json changed = samples::study();
-    changed["scene"]["E"] = 100;
+    changed["scene"]["rho"] = 1;
     changed["about"] = "said in another way";
     CHECK(all_pass(checks_against(samples::report_of(changed), accepted(sample()))));
 }
