@@ -26,6 +26,7 @@ Command list_command();
 Command run_command();
 Command check_command();
 Command accept_command();
+Command history_command();
 Command table_command();
 Command plot_command();
 Command oracle_command();

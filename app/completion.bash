@@ -2,14 +2,15 @@
 _ordo() {
     local word="${COMP_WORDS[COMP_CWORD]}" words
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "list run check accept table plot oracle solve basis fit completion --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept history table plot oracle solve basis fit completion --help --version" -- "$word")
         return
     fi
     case "${COMP_WORDS[1]}" in
         list) words="--help scenes solvers oracles norms studies schema" ;;
         run) words="--help --out --jobs --set" ;;
-        check) words="--help --against --junit" ;;
-        accept) words="--help --because --into --band" ;;
+        check) words="--help --against --times --verbose --junit --annotations --summary" ;;
+        accept) words="--help --because --into" ;;
+        history) words="--help --format" ;;
         table) words="--help --format" ;;
         plot) words="--help --out --against --format" ;;
         oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;

@@ -13,6 +13,7 @@
 #include "app/command.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
+#include "reports/reference_kernel.hpp"
 #include "reports/report.hpp"
 #include "reports/table/table.hpp"
 #include "studies/engine/engine.hpp"
@@ -75,6 +76,7 @@ int code_of(const studies::Result& result) {
 }
 
 int run_job(const Job& job, int threads) {
+    const double kernel_before = reports::reference_kernel_seconds();
     const auto begin = std::chrono::steady_clock::now();
     std::vector<studies::Run> runs;
     {
@@ -84,8 +86,9 @@ int run_job(const Job& job, int threads) {
             {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    const reports::Report report{studies::judged(job.study, std::move(runs)),
-                                 reports::provenance_here(threads, seconds.count())};
+    reports::Report report{studies::judged(job.study, std::move(runs)),
+                           reports::provenance_here(threads, seconds.count())};
+    report.provenance.kernel_seconds = std::min(kernel_before, reports::reference_kernel_seconds());
     reports::write_whole(job.output, reports::to_json(report));
     std::cout << reports::table(report, reports::TableFormat::text) << "report: " << job.output << "\n" << std::flush;
     return code_of(report.result);

@@ -1,6 +1,7 @@
 # Facts about this build for the provenance of a report. The revision is asked for at build time, not at configure time.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type_upper)
-string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type_upper}} -ffp-contract=off" build_flags)
+string(JOIN " " rounding ${ORDO_ROUNDING})
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type_upper}} ${rounding}" build_flags)
 set(build_facts ${PROJECT_BINARY_DIR}/generated/build_facts.hpp)
 add_custom_target(ordo_build_facts
   COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${build_facts}

@@ -121,7 +121,8 @@ Json provenance_json(const Report& report) {
             {"os", from.os},
             {"jobs", from.jobs},
             {"seconds", number(from.seconds)},
-            {"run_seconds", std::move(seconds)}};
+            {"run_seconds", std::move(seconds)},
+            {"kernel_seconds", number(from.kernel_seconds)}};
 }
 
 template <class T, class F>
@@ -174,7 +175,7 @@ studies::Run run_from(const Node& node) {
 
 Provenance provenance_from(const Node& node) {
     node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores",
-               "os", "jobs", "seconds", "run_seconds"});
+               "os", "jobs", "seconds", "run_seconds", "kernel_seconds"});
     return {.time_utc = node.at("time_utc").text(),
             .ordo_version = node.at("ordo_version").text(),
             .revision = node.at("revision").text(),
@@ -186,7 +187,8 @@ Provenance provenance_from(const Node& node) {
             .cores = whole(node.at("cores")),
             .os = node.at("os").text(),
             .jobs = whole(node.at("jobs")),
-            .seconds = number_or_nan(node.at("seconds"))};
+            .seconds = number_or_nan(node.at("seconds")),
+            .kernel_seconds = node.has("kernel_seconds") ? number_or_nan(node.at("kernel_seconds")) : std::nan("")};
 }
 
 }  // namespace

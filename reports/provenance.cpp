@@ -48,7 +48,8 @@ Provenance provenance_here(int jobs, double seconds) {
             .cores = static_cast<int>(std::thread::hardware_concurrency()),
             .os = fact("/etc/os-release", "PRETTY_NAME", '='),
             .jobs = jobs,
-            .seconds = seconds};
+            .seconds = seconds,
+            .kernel_seconds = std::numeric_limits<double>::quiet_NaN()};
 }
 
 }  // namespace ordo::reports

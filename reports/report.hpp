@@ -1,5 +1,6 @@
 #pragma once
 // A report: the answer with where it came from. Everything shown or gated is made from it.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Provenance {
     std::string os;
     int jobs = 0;
     double seconds = 0;  ///< wall time of all runs together [s]
+    /// Time of the reference kernel [s], the smaller of before and after the runs; NaN where it was not measured.
+    double kernel_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Report {

@@ -51,9 +51,9 @@ install_missing() {
     quietly packages "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q install "${options[@]}" "${missing[@]}"
 }
 
-# Builds one target in build/release: ninja's progress on stderr, without the lines that even an idle build prints.
+# build TARGET [PRESET]: builds one target in build/PRESET, by default release: ninja's progress on stderr, without the lines that even an idle build prints.
 build() {
     local idle='^\[[0-9]+/[0-9]+\] (Re-checking globbed directories\.\.\.|.*build_facts(\.cmake)?)$|^ninja: no work to do\.$'
-    cmake --build "$root/build/release" --target "$1" | { grep --line-buffered -vE "$idle" || true; } >&2 ||
+    cmake --build "$root/build/${2:-release}" --target "$1" | { grep --line-buffered -vE "$idle" || true; } >&2 ||
         fail "the build failed"
 }

@@ -4,6 +4,7 @@
 using namespace ordo;
 using outside::Folder;
 using outside::make_report;
+using outside::make_twin;
 using outside::Names;
 using outside::scale_error;
 using outside::Words;
@@ -12,50 +13,97 @@ using samples::Json;
 namespace {
 
 const Words against_base{"check", "r.json", "--against", "base"};
+const Words accept{"accept", "r.json", "--into", "base", "--because", "first time"};
 
 }  // namespace
 
 TEST_CASE("cli: accept makes a baseline that the report then passes against", "[cli]") {
     const Folder folder;
     make_report(folder);
-    const auto accepted = folder.ordo({"accept", "r.json", "--because", "first time", "--into", "base"});
+    const auto accepted = folder.ordo(accept);
     CHECK(accepted.code == 0);
-    CHECK_THAT(accepted.out, ContainsSubstring("base/sample.json"));
+    CHECK_THAT(accepted.out, ContainsSubstring("base/sample.json") && ContainsSubstring("no twin was given"));
     CHECK(folder.names() == Names{"base", "base/sample.json", "r.json", "s.json"});
     const auto baseline = Json::parse(folder.read("base/sample.json"));
     CHECK(baseline["because"] == "first time");
-    CHECK_FALSE(baseline["compiler"].get<std::string>().empty());
-
-    const auto checked = folder.ordo(against_base);
-    CHECK(checked.code == 0);
-    CHECK_THAT(checked.out, ContainsSubstring("errors as accepted within 1e-06 relative"));
-}
-
-TEST_CASE("cli: accepting again says how far the new one is from the old, and takes a wider band", "[cli]") {
-    const Folder folder;
-    make_report(folder);
-    REQUIRE(folder.ordo({"accept", "r.json", "--because", "x", "--into", "base"}).code == 0);
-    scale_error(folder, 1.01);
-    const auto again = folder.ordo({"accept", "r.json", "--because", "y", "--into", "base", "--band", "0.1"});
-    CHECK(again.code == 0);
-    CHECK_THAT(again.out, ContainsSubstring("replaces") && ContainsSubstring("largest difference 0.01"));
-    scale_error(folder, 1.005);  // more would scatter its three points beyond its own gate
+    REQUIRE(baseline["reports"].size() == 1);
+    CHECK_FALSE(baseline["reports"][0]["compiler"].get<std::string>().empty());
+    CHECK(baseline["time_ratio"].get<double>() > 0);
     CHECK(folder.ordo(against_base).code == 0);
 }
 
-TEST_CASE("cli: accept refuses what has no reason, fails, or has a band that is none", "[cli]") {
+TEST_CASE("cli: a twin widens the tolerances to what was measured, and is kept by name", "[cli]") {
     const Folder folder;
+    make_report(folder);
+    make_twin(folder);
+    REQUIRE(folder.ordo(accept).code == 0);
+    const Words twin_against_base{"check", "twin.json", "--against", "base"};
+    CHECK(folder.ordo(twin_against_base).code == 1);
+    const auto again = folder.ordo({"accept", "r.json", "twin.json", "--into", "base", "--because", "two builds"});
+    CHECK(again.code == 0);
+    CHECK_THAT(again.out, ContainsSubstring("from 2 reports") && ContainsSubstring("old tolerance"));
+    CHECK(again.out.find("no twin was given") == std::string::npos);
+    CHECK(folder.ordo(twin_against_base).code == 0);
+    CHECK(folder.ordo(against_base).code == 0);
+    const auto baseline = Json::parse(folder.read("base/sample.json"));
+    CHECK(baseline["reports"][1]["flags"] == "-O3 -march=x86-64-v3 -ffp-contract=fast");
+}
+
+TEST_CASE("cli: accepting again shows what changed: figure, old, new, tolerances", "[cli]") {
+    const Folder folder;
+    make_report(folder);
+    REQUIRE(folder.ordo(accept).code == 0);
+    const auto same = folder.ordo(accept);
+    CHECK_THAT(same.out, ContainsSubstring("replaces the baseline of") && ContainsSubstring("first time") &&
+                             ContainsSubstring("no figure left its interval"));
+    scale_error(folder, 1.01);
+    const auto again = folder.ordo(accept);
+    CHECK(again.code == 0);
+    CHECK_THAT(again.out, ContainsSubstring("figure") && ContainsSubstring("old tolerance") &&
+                              ContainsSubstring("mpm, cells = 8, dt = 0.005: displacement.rms"));
+    CHECK(again.out.find("cells = 16, dt = 0.005: displacement.rms") == std::string::npos);
+}
+
+TEST_CASE("cli: accepting another question says which member changed", "[cli]") {
+    const Folder folder;
+    make_report(folder);
+    REQUIRE(folder.ordo(accept).code == 0);
+    make_report(folder, {"scene.rho=1.1"});
+    const auto again = folder.ordo(accept);
+    CHECK(again.code == 0);
+    CHECK_THAT(again.out, ContainsSubstring("the study's /scene/rho was 1, is 1.1"));
+}
+
+TEST_CASE("cli: what lies in the baseline's place and is none is replaced, and said so", "[cli]") {
+    const Folder folder;
+    make_report(folder);
+    folder.write("base/sample.json", "{\"schema\": \"ordo-baseline-1\"}");
+    const auto accepted = folder.ordo(accept);
+    CHECK(accepted.code == 0);
+    CHECK_THAT(accepted.out, ContainsSubstring("replaces what cannot be compared"));
+    CHECK(folder.ordo(against_base).code == 0);
+}
+
+TEST_CASE("cli: accept refuses what has no reason, fails, or is no twin, and writes nothing", "[cli]") {
+    const Folder folder;
+    make_report(folder, {"scene.E=50"});
+    folder.write("other.json", folder.read("r.json"));
     make_report(folder, {"expect.0.order=1"});
     folder.write("bad.json", folder.read("r.json"));
     make_report(folder);
+    make_twin(folder);
     const Names before = folder.names();
-    const std::vector<Words> refused{{"accept", "r.json", "--into", "base"},
+    const std::vector<Words> refused{{"accept", "--into", "base", "--because", "x"},
+                                     {"accept", "r.json", "--into", "base"},
                                      {"accept", "r.json", "--into", "base", "--because", ""},
+                                     {"accept", "none.json", "--into", "base", "--because", "x"},
+                                     {"accept", "s.json", "--into", "base", "--because", "x"},
                                      {"accept", "bad.json", "--into", "base", "--because", "x"},
+                                     {"accept", "r.json", "bad.json", "--into", "base", "--because", "x"},
                                      {"accept", "r.json", "r.json", "--into", "base", "--because", "x"},
-                                     {"accept", "r.json", "--into", "base", "--because", "x", "--band", "0"},
-                                     {"accept", "r.json", "--into", "base", "--because", "x", "--band", "1"},
-                                     {"accept", "r.json", "--into", "base", "--because", "x", "--band", "nan"},
+                                     {"accept", "r.json", "other.json", "--into", "base", "--because", "x"},
+                                     {"accept", "r.json", "twin.json", "twin.json", "none", "--because", "x"},
+                                     {"accept", "r.json", "--into", "base", "--because", "x", "--band", "0.1"},
                                      {"accept", "r.json", "--into", "s.json", "--because", "x"},
                                      {"accept", "r.json", "--into", "", "--because", "x"}};
     for (const auto& words : refused) {

@@ -11,7 +11,8 @@ using outside::Words;
 
 namespace {
 
-const Words sub_commands{"list", "run", "check", "accept", "table", "plot", "oracle", "solve", "basis", "completion"};
+const Words sub_commands{"list", "run",    "check", "accept", "history",   "table",
+                         "plot", "oracle", "solve", "basis",  "completion"};
 
 /// The lines behind "examples:", each cut at its blanks.
 std::vector<Words> examples_in(const std::string& help) {
