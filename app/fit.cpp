@@ -1,6 +1,7 @@
 // ordo fit: the order in a user's own numbers, whatever code they come from.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <iterator>
@@ -53,6 +54,25 @@ std::vector<std::string> names_in(const std::string& list) {
     return names;
 }
 
+/// "cells" of "1/cells".
+std::string column_name(const std::string& abscissa) {
+    return abscissa.starts_with("1/") ? abscissa.substr(2) : abscissa;
+}
+
+/// The abscissa in that column, or one over it: what falls under refinement.
+std::vector<double> abscissa_of(const NumberTable& table, const std::string& name, std::size_t place,
+                                const std::string& file) {
+    std::vector<double> column = table.column(column_name(name), place, file);
+    if (column_name(name) == name) return column;
+    for (double& value : column) value = 1 / value;
+    return column;
+}
+
+/// Numbers of cells taken for widths: whole, and larger than one.
+bool are_counts(const std::vector<double>& abscissae) {
+    return std::ranges::all_of(abscissae, [](double value) { return value > 1 && value == std::floor(value); });
+}
+
 /// The named columns; without names the first, and the one called `usual` or the only other one.
 Columns columns_of(const po::variables_map& options, const NumberTable& table, const std::string& file,
                    const std::string& usual) {
@@ -61,7 +81,7 @@ Columns columns_of(const po::variables_map& options, const NumberTable& table, c
     const std::size_t asked = columns.abscissae.size() + 1;
     if (options.contains(usual)) columns.measured = options[usual].as<std::string>();
     else if (table.names.size() == 2 && asked == 2 && !table.has(usual))
-        columns.measured = table.names[columns.abscissae[0] == table.names[0] ? 1 : 0];
+        columns.measured = table.names[column_name(columns.abscissae[0]) == table.names[0] ? 1 : 0];
     if (table.names.empty() && table.columns() != asked)
         throw InputError(
             file, fmt::format("has {} columns without names, but must have {} or a head line", table.columns(), asked));
@@ -108,8 +128,8 @@ void add_order(const FitOutcome& outcome, Answer& answer) {
 }
 
 Answer joint_answer(const NumberTable& table, const Columns& columns, const std::string& file) {
-    const auto h = table.column(columns.abscissae[0], 0, file);
-    const auto dt = table.column(columns.abscissae[1], 1, file);
+    const auto h = abscissa_of(table, columns.abscissae[0], 0, file);
+    const auto dt = abscissa_of(table, columns.abscissae[1], 1, file);
     const auto errors = table.column(columns.measured, 2, file);
     std::vector<JointPoint> points;
     for (std::size_t i = 0; i < h.size(); ++i) points.push_back({h[i], dt[i], errors[i]});
@@ -121,19 +141,24 @@ Answer joint_answer(const NumberTable& table, const Columns& columns, const std:
 }
 
 Answer order_answer(const NumberTable& table, const Columns& columns, const std::string& file) {
-    const auto h = table.column(columns.abscissae[0], 0, file);
+    const auto h = abscissa_of(table, columns.abscissae[0], 0, file);
     const auto errors = table.column(columns.measured, 1, file);
     std::vector<FitPoint> points;
     for (std::size_t i = 0; i < h.size(); ++i) points.push_back({h[i], errors[i]});
     const FitOutcome outcome = fit_order(points);
     Answer answer{outcome.verdict, {}, json_head(columns, outcome.verdict)};
     add_order(outcome, answer);
+    if (outcome.verdict == Convergence::diverges && are_counts(h))
+        answer.lines.push_back(
+            "the abscissa counts something; where it should fall under refinement, take one over it: "
+            "--abscissa 1/" +
+            columns.abscissae[0]);
     return answer;
 }
 
 /// Four grids are judged by Eca-Hoekstra, fewer by GCI.
 Answer value_answer(const NumberTable& table, const Columns& columns, const std::string& file, double formal) {
-    const auto h = table.column(columns.abscissae[0], 0, file);
+    const auto h = abscissa_of(table, columns.abscissae[0], 0, file);
     const auto values = table.column(columns.measured, 1, file);
     std::vector<GridValue> grids;
     for (std::size_t i = 0; i < h.size(); ++i) grids.push_back({h[i], values[i]});
@@ -184,7 +209,7 @@ Command fit_command() {
     // clang-format off
     options.add_options()
         ("abscissa", po::value<std::string>()->value_name("NAME"),
-         "column that is refined (default the first); two, h,dt, for a joint fit")
+         "column that is refined (default the first), or one over it, 1/cells; two, h,dt, for a joint fit")
         ("error", po::value<std::string>()->value_name("NAME"), "column of errors (default 'error', or the other one)")
         ("value", po::value<std::string>()->value_name("NAME"), "column of values instead: there is no exact solution")
         ("formal", po::value<double>()->value_name("P"), "order that the method should have; with --value")
@@ -193,7 +218,8 @@ Command fit_command() {
     return {.name = "fit",
             .about = "the order in your own numbers: of errors, of a dx-dt grid, or without an exact solution",
             .usage = "FILE|- [--abscissa NAME[,NAME]] [--error NAME | --value NAME [--formal P]] [--format text|json]",
-            .examples = {"ordo fit errors.csv", "ordo fit grid.csv --abscissa h,dt --error l2",
+            .examples = {"ordo fit errors.csv", "ordo fit errors.csv --abscissa 1/cells",
+                         "ordo fit grid.csv --abscissa h,dt --error l2",
                          "printf '1 0.9705\\n2 0.96854\\n4 0.96178\\n' | ordo fit - --value f"},
             .options = options,
             .most_arguments = 1,

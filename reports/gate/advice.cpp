@@ -15,6 +15,7 @@ std::string advice(studies::Fault fault) {
             return "an exact answer has no order: expect 'exact_within', or see whether it compares with itself";
         case point_missing: return "run the study anew; where runs are made elsewhere, see which never came back";
         case point_repeated: return "see what put the run there twice: a merged report, or a value twice in the sweep";
+        case off_plan: return "see what moved the end of that run, its mesh width or its step: the study planned another";
         case fewer_levels: return "add levels to the sweep, or see in the table why points were left out of the fit";
         case run_failed:
             return "the run's reason stands in the report's table; a larger timeout_s may be what it needs";

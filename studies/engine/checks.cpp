@@ -82,11 +82,21 @@ void check_bounds(const Result& result, const Expectation& expectation, std::vec
     }
 }
 
-/// Planned runs that are not there, and runs that are there twice or without being planned.
+/// Planned runs that are not there, runs that are there twice or without being planned, and runs that were not made as
+/// planned.
 struct Misplaced {
     long missing = 0;
     long repeated = 0;
+    long off_plan = 0;
 };
+
+/// Time, mesh width and step of the run are those of its plan, to the rounding that machines differ by.
+bool as_planned(const RunSpec& spec, const Run& run) {
+    const auto alike = [](double found, double planned) {
+        return std::abs(found - planned) <= 1e-12 * std::abs(planned);
+    };
+    return alike(run.t, spec.t_end) && alike(run.h, spec.plan.h) && alike(run.dt, step_taken(spec));
+}
 
 Misplaced misplaced(const Result& result) {
     const auto same = [](const RunSpec& spec, const Run& run) {
@@ -98,6 +108,8 @@ Misplaced misplaced(const Result& result) {
         const long there = std::ranges::count_if(result.runs, [&](const Run& run) { return same(spec, run); });
         wrong.missing += there == 0;
         wrong.repeated += there > 1;
+        wrong.off_plan +=
+            std::ranges::any_of(result.runs, [&](const Run& run) { return same(spec, run) && !as_planned(spec, run); });
     }
     for (const auto& run : result.runs) {
         wrong.repeated += std::ranges::none_of(planned, [&](const RunSpec& spec) { return same(spec, run); });
@@ -105,15 +117,28 @@ Misplaced misplaced(const Result& result) {
     return wrong;
 }
 
+/// What is wrong with an error of a run that came to its end, whether an expectation speaks of it or not.
+Fault not_finite(const Result& result) {
+    for (const auto& run : result.runs) {
+        if (run.status != Status::ok) continue;
+        for (const auto& [name, error] : run.errors) {
+            if (!std::isfinite(error)) return std::isnan(error) ? Fault::error_is_nan : Fault::error_is_infinite;
+        }
+    }
+    return Fault::none;
+}
+
 /// Nothing is measured unless every planned run came to its end, or the study says that it may blow up.
 Check ends_check(const Result& result) {
-    const auto [missing, repeated] = misplaced(result);
+    const auto [missing, repeated, off_plan] = misplaced(result);
     const auto ended = [&](Status status) { return std::ranges::count(result.runs, status, &Run::status); };
     const auto blown_up = ended(Status::diverged);
     const auto broken = ended(Status::failed) + ended(Status::timed_out);
     Check check{"every planned run ends", "all runs", "rule of the house", Verdict::pass, ""};
     if (blown_up > 0 && !result.study.diverged_allowed) check.fault = Fault::run_diverged;
     if (broken > 0) check.fault = Fault::run_failed;
+    if (const Fault found = not_finite(result); found != Fault::none) check.fault = found;
+    if (off_plan > 0) check.fault = Fault::off_plan;
     if (repeated > 0) check.fault = Fault::point_repeated;
     if (missing > 0) check.fault = Fault::point_missing;
     if (result.runs.empty()) check.fault = Fault::nothing_measured;

@@ -12,6 +12,7 @@ std::string text_of(Fault fault) {
                                   "error_is_zero",
                                   "point_missing",
                                   "point_repeated",
+                                  "off_plan",
                                   "fewer_levels",
                                   "run_failed",
                                   "run_diverged",

@@ -12,6 +12,7 @@ enum class Fault {
     error_is_zero,   ///< in an order fit, or under error_at_most: exactness is an expectation of its own
     point_missing,   ///< a planned run is not there
     point_repeated,  ///< a run is there twice, or without being planned
+    off_plan,        ///< a run was compared at another time, mesh width or step than planned
     fewer_levels,    ///< an order from fewer levels than were asked for
     run_failed,      ///< threw, or passed its time
     run_diverged,    ///< blew up, and the study does not allow it

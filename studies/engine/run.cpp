@@ -109,6 +109,10 @@ const Parts& house_parts() {
     return parts;
 }
 
+double step_taken(const RunSpec& spec) {
+    return spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
+}
+
 RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
     RunOutcome outcome;
     Run& run = outcome.run;
@@ -116,7 +120,7 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, cons
     run.solver = spec.solver.label;
     run.axes = spec.axes;
     run.h = spec.plan.h;
-    run.dt = spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
+    run.dt = step_taken(spec);
     run.t = spec.t_end;
     bool late = false;
     const auto ends = [&](Status status, const std::string& reason) {

@@ -87,8 +87,8 @@ bool finest_three_agree(const LeastSquares& fit) {
            turn < student(points - 5, foretold_floor) * scatter;
 }
 
-/// Range of the neighbour orders of e - f over the points where A h^p is the larger part.
-double scatter_above_floor(const LogSeries& window, const Eigen::VectorXd& parameters) {
+/// Least and largest neighbour order of e - f over the points where A h^p is the larger part.
+void take_neighbours(Candidate& candidate, const LogSeries& window, const Eigen::VectorXd& parameters) {
     double least = std::numeric_limits<double>::infinity();
     double largest = -least;
     const double floor = std::exp(parameters[2]);
@@ -100,7 +100,9 @@ double scatter_above_floor(const LogSeries& window, const Eigen::VectorXd& param
         least = std::min(least, order);
         largest = std::max(largest, order);
     }
-    return largest > least ? largest - least : 0;
+    if (least > largest) least = largest = candidate.order;
+    candidate.least_neighbour = least;
+    candidate.largest_neighbour = largest;
 }
 
 /// Order, scatter, and Student's interval.
@@ -152,7 +154,8 @@ Candidate above_floor(const LogSeries& series, Index dropped) {
     candidate.asymptotic = (slope > fit.parameters[2]).count();
     candidate.other = window.size() - candidate.asymptotic;
     const double share = 1 / (1 + std::exp(fit.parameters[2] - slope[0]));
-    const double scatter = scatter_above_floor(window, fit.parameters);
+    take_neighbours(candidate, window, fit.parameters);
+    const double scatter = candidate.largest_neighbour - candidate.least_neighbour;
     candidate.low = std::min({candidate.low, candidate.order - scatter, candidate.order * share});
     candidate.high = std::max(candidate.high, candidate.order + scatter);
     candidate.finest_agree = finest_three_agree(fit);

@@ -20,9 +20,11 @@ struct Candidate {
     double scatter = 0;                                       ///< standard deviation of ln e about the model
     Eigen::Index asymptotic = 0;                              ///< points where A h^p is the larger part
     Eigen::Index other = 0;                                   ///< the remaining ones of the window
-    bool curved = false;                                      ///< a power law whose residuals bend
-    bool finest_agree = true;                                 ///< the finest points are where the others foretell them
-    bool possible = true;  ///< it was found, and there are points enough in each regime
+    double least_neighbour = 0;  ///< least and largest order between neighbours above the floor, where there is one
+    double largest_neighbour = 0;
+    bool curved = false;       ///< a power law whose residuals bend
+    bool finest_agree = true;  ///< the finest points are where the others foretell them
+    bool possible = true;      ///< it was found, and there are points enough in each regime
 };
 
 /// A h^p over all but `dropped` points. From four points on the interval spans the slopes at both ends of a parabola

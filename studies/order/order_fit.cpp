@@ -113,7 +113,8 @@ std::string words_of(const Candidate& best, const LogSeries& series) {
     const auto points = series.size() - best.dropped;
     if (best.model == ErrorModel::power) return fmt::format("power law over {} points", points);
     if (best.model == ErrorModel::power_and_floor)
-        return fmt::format("power law over a floor of {:.3g}", std::exp(best.fit.parameters[2]));
+        return fmt::format("power law over a floor of {:.3g}, above it neighbour orders from {:.2f} to {:.2f}",
+                           std::exp(best.fit.parameters[2]), best.least_neighbour, best.largest_neighbour);
     return fmt::format("power law and a second power {:.3g}", best.order + std::exp(best.fit.parameters[3]));
 }
 

@@ -52,6 +52,18 @@ TEST_CASE("cli: the order in a user's own errors", "[cli]") {
     CHECK_THAT(no_number.out, ContainsSubstring("nan") && ContainsSubstring("0.5"));
 }
 
+TEST_CASE("cli: numbers of cells are taken as what they are", "[cli]") {
+    const Folder folder;
+    folder.write("n.csv", "cells,error\n10,1\n20,0.25\n40,0.0625\n80,0.015625\n");
+    const auto counts = folder.ordo({"fit", "n.csv"});
+    CHECK(counts.code == 1);
+    CHECK_THAT(counts.out, ContainsSubstring("diverges: ") && ContainsSubstring("--abscissa 1/cells"));
+    const auto widths = folder.ordo({"fit", "n.csv", "--abscissa", "1/cells"});
+    CHECK(widths.code == 0);
+    CHECK_THAT(widths.out, ContainsSubstring("order 2 [2, 2]"));
+    CHECK(folder.ordo({"fit", "n.csv", "--abscissa", "1/nodes"}).code == 2);
+}
+
 TEST_CASE("cli: values without an exact solution", "[cli]") {
     const Folder folder;
     folder.write("v.csv", "h,f,g\n1,0.970500,1\n2,0.968540,1\n4,0.961780,1\n");

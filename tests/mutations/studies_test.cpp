@@ -105,6 +105,13 @@ Broken stops_early() {
     return behind("mpm", {.clock = clock, .shown = {}});
 }
 
+void nan_in_an_unjudged_run(Runs& runs) {
+    for (auto& run : runs) {
+        if (run.solver != "rrm nothing") continue;
+        for (auto& error : run.errors) error.value = std::nan("");
+    }
+}
+
 }  // namespace
 
 MutationClass broken_studies() {
@@ -173,6 +180,11 @@ MutationClass broken_studies() {
              shipped::mpm_bar,
              behind("mpm", {.clock = {}, .shown = places_for_displacements}),
              {order_too_low, stalled, at_floor}},
+            {"one run is compared at an earlier time", shipped::fem_column, with_plan(ends_early), {off_plan}},
+            {"NaN in runs that no expectation speaks of",
+             shipped::elastic_wall,
+             with_runs(nan_in_an_unjudged_run),
+             {error_is_nan}},
             {"nothing was run",
              shipped::mpm_bar,
              with_runs([](Runs& runs) { runs.clear(); }),
