@@ -117,11 +117,15 @@ Misplaced misplaced(const Result& result) {
     return wrong;
 }
 
-/// What is wrong with an error of a run that came to its end, whether an expectation speaks of it or not.
+/// What is wrong with an error of a run that came to its end, whether an expectation speaks of it or not. The place of
+/// a wave that a coarse answer does not show is no number, and only an expectation asks for it.
 Fault not_finite(const Result& result) {
-    for (const auto& run : result.runs) {
-        if (run.status != Status::ok) continue;
-        for (const auto& [name, error] : run.errors) {
+    for (const auto& quantity : result.study.measure.quantities) {
+        if (is_place(quantity.norm)) continue;
+        for (const auto& run : result.runs) {
+            const bool is_reference = run.status == Status::reference && quantity.against == Against::finest;
+            if ((run.status != Status::ok && run.status != Status::reference) || is_reference) continue;
+            const double error = run.error(quantity.key());
             if (!std::isfinite(error)) return std::isnan(error) ? Fault::error_is_nan : Fault::error_is_infinite;
         }
     }

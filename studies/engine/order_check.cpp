@@ -31,9 +31,8 @@ Finding finding_of(const Expectation& expectation, const SeriesFit& fit) {
     const bool too_high = expectation.may_exceed.empty() && outcome.fit->low > most;
     if (outcome.fit->high < least) return {Verdict::fail, fault_of(outcome.verdict, Fault::order_too_low)};
     if (too_high) return {Verdict::fail, Fault::order_too_high};
-    const bool proves = outcome.verdict != Convergence::pre_asymptotic && outcome.verdict != Convergence::at_floor;
     const bool inside = outcome.fit->low >= least && (outcome.fit->high <= most || !expectation.may_exceed.empty());
-    if (proves && inside) return {Verdict::pass, Fault::none};
+    if (inside) return {Verdict::pass, Fault::none};
     return {Verdict::inconclusive, fault_of(outcome.verdict, Fault::order_uncertain)};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/text.hpp"
@@ -17,6 +18,7 @@ using Eigen::Index;
 
 constexpr double least_order = 0.1;       // below, halving an error takes a thousandfold refinement
 constexpr double widest_line = 0.2;       // half-width up to which a power law's order is known
+constexpr double narrow_line = 0.1;       // half-width up to which a bend does not matter, whatever it comes from
 constexpr double widest_model = 0.4;      // and that of a model with a floor or a second power
 constexpr double as_good = 3;             // difference of the criterion up to which models are equally good
 constexpr double slope_quantile = 0.998;  // that a falling line must reach
@@ -98,8 +100,9 @@ struct Said {
 
 /// Verdict on a bend that no model explains: too few points for the criterion, or none that fits.
 Said said_of_bend(const LogSeries& series, const Candidate& line) {
-    if (settles(series) && line.high - line.low <= 2 * widest_line && line.low > least_order)
-        return {Convergence::converges, "neighbour orders settle; too few points to tell models apart"};
+    const double half = (line.high - line.low) / 2;
+    if (line.low > least_order && (half <= narrow_line || (half <= widest_line && settles(series))))
+        return {Convergence::converges, "power law that bends within the interval; too few points for a second term"};
     const bool few = series.size() < 7;
     return {
         Convergence::pre_asymptotic,
@@ -207,10 +210,15 @@ FitOutcome fit_order(std::vector<FitPoint> given) {
         outcome.reason = "all errors are equal: no convergence";
         return outcome;
     }
-    const auto [best, found] = choice_of(series);
+    auto [best, found] = choice_of(series);
     const auto [verdict, reason] = found ? said_of(series, best) : said_of_bend(series, best);
     outcome.verdict = verdict;
     outcome.reason = reason;
+    const bool unknown = verdict == Convergence::at_floor || verdict == Convergence::pre_asymptotic;
+    if (found && unknown) {
+        best.low = -std::numeric_limits<double>::infinity();
+        best.high = std::numeric_limits<double>::infinity();
+    }
     outcome.fit = fit_of(best, series, points.back().abscissa);
     for (Index i = 0; i < best.dropped; ++i)
         outcome.left_out.push_back({places[static_cast<std::size_t>(i)], "pre-asymptotic: it bends the line"});

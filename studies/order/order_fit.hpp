@@ -31,7 +31,8 @@ struct Refused {
 
 struct OrderFit {
     double order = 0;
-    double low = 0;  ///< 95 % interval; -inf and +inf with two points
+    double low = 0;  ///< 95 % interval; infinite with two points, with too few above a floor, and where the finest ones
+                     ///< are not where the others foretell them
     double high = 0;
     double coefficient = 0;  ///< A
     ErrorModel model = ErrorModel::power;
