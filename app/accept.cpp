@@ -77,7 +77,7 @@ void print_tolerances(const Baseline& baseline) {
     });
     std::cout << fmt::format(
         "{} figures of {} runs from {} reports: {} with the tolerance of {} times their scatter, {} "
-        "with {} units in the last place (counts: none)\n",
+        "with {} units in the last place (counts without scatter: none)\n",
         baseline.figures.size(), baseline.runs.size(), baseline.makers.size(), measured, reports::times_spread,
         baseline.figures.size() - static_cast<std::size_t>(measured), reports::least_ulps);
     if (baseline.makers.size() == 1)
@@ -89,12 +89,18 @@ void print_tolerances(const Baseline& baseline) {
 int accept(const po::variables_map& options, const std::vector<std::string>& files) {
     if (files.empty()) throw InputError("ordo accept", "names no report; usage: ordo accept REPORT [TWIN...]");
     if (!options.contains("because")) throw InputError("ordo accept", "needs a reason: --because TEXT");
-    const auto baseline = reports::baseline_of(reports_in(files), files, options["because"].as<std::string>());
+    const std::string because = options["because"].as<std::string>();
+    if (std::ranges::all_of(because, [](char c) { return c == ' ' || c == '\t'; }))
+        throw InputError("ordo accept --because", "is blank, but must say why");
+    const auto reports = reports_in(files);
+    const auto baseline = reports::baseline_of(reports, files, because);
     const std::string path = reports::baseline_path(options["into"].as<std::string>(), baseline.study);
     reports::check_writable(path);
     if (const auto before = before_at(path)) print_difference(*before, baseline);
     reports::write_whole(path, reports::to_json(baseline));
     print_tolerances(baseline);
+    if (reports.front().result.verdict == studies::Verdict::inconclusive)
+        std::cout << "its own expectations are inconclusive, and stay so under ordo check\n";
     std::cout << "accepted: " << path << '\n';
     return all_hold;
 }

@@ -62,8 +62,8 @@ std::string column_name(const std::string& abscissa) {
 /// The abscissa in that column, or one over it: what falls under refinement.
 std::vector<double> abscissa_of(const NumberTable& table, const std::string& name, std::size_t place,
                                 const std::string& file) {
+    if (column_name(name) == name || table.has(name)) return table.column(name, place, file);
     std::vector<double> column = table.column(column_name(name), place, file);
-    if (column_name(name) == name) return column;
     for (double& value : column) value = 1 / value;
     return column;
 }
@@ -82,6 +82,11 @@ Columns columns_of(const po::variables_map& options, const NumberTable& table, c
     if (options.contains(usual)) columns.measured = options[usual].as<std::string>();
     else if (table.names.size() == 2 && asked == 2 && !table.has(usual))
         columns.measured = table.names[column_name(columns.abscissae[0]) == table.names[0] ? 1 : 0];
+    for (const auto& abscissa : columns.abscissae) {
+        if (column_name(abscissa) == columns.measured)
+            throw InputError(name_of_command, "would fit the column '" + columns.measured +
+                                                  "' against itself; name another one by --abscissa");
+    }
     if (table.names.empty() && table.columns() != asked)
         throw InputError(
             file, fmt::format("has {} columns without names, but must have {} or a head line", table.columns(), asked));
@@ -111,9 +116,6 @@ void add_order(const FitOutcome& outcome, Answer& answer) {
         answer.lines.push_back("orders between neighbours, coarse to fine:" + neighbours);
         if (fit.floor > 0) answer.lines.push_back(fmt::format("floor {:.4g}", fit.floor));
     }
-    answer.lines.push_back(text_of(outcome.verdict) + ": " + outcome.reason);
-    for (const auto& [place, why] : outcome.left_out)
-        answer.lines.push_back(fmt::format("left out: row {} ({})", place + 1, why));
     OrderFit none;
     none.order = none.low = none.high = none.coefficient = none.floor = nothing;
     const OrderFit fit = outcome.fit.value_or(none);
@@ -148,7 +150,11 @@ Answer order_answer(const NumberTable& table, const Columns& columns, const std:
     const FitOutcome outcome = fit_order(points);
     Answer answer{outcome.verdict, {}, json_head(columns, outcome.verdict)};
     add_order(outcome, answer);
-    if (outcome.verdict == Convergence::diverges && are_counts(h))
+    for (const auto& [place, why] : outcome.left_out)
+        answer.lines.push_back(fmt::format("left out: row {} ({})", place + 1, why));
+    answer.lines.push_back(text_of(outcome.verdict) + ": " + outcome.reason);
+    const bool inverted = column_name(columns.abscissae[0]) != columns.abscissae[0];
+    if (outcome.verdict == Convergence::diverges && are_counts(h) && !inverted)
         answer.lines.push_back(
             "the abscissa counts something; where it should fall under refinement, take one over it: "
             "--abscissa 1/" +
@@ -156,23 +162,39 @@ Answer order_answer(const NumberTable& table, const Columns& columns, const std:
     return answer;
 }
 
-/// Four grids are judged by Eca-Hoekstra, fewer by GCI.
+/// Verdict and reason on values without an exact solution. Four grids are judged by Eca-Hoekstra, and their order by
+/// the formal one where it is given; fewer have no interval, so that they prove nothing but that order, by GCI.
+std::pair<Convergence, std::string> judged(const FitOutcome& order, const std::vector<Extrapolation>& found,
+                                           std::size_t grids, double formal) {
+    if (found.size() == 1) return {found[0].verdict, found[0].reason};
+    const bool formal_given = !std::isnan(formal);
+    if (grids < 4 && !formal_given)
+        return {Convergence::inconclusive, "fewer than four grids and no --formal order to hold them to"};
+    const auto& judge = found[grids > 3 ? 2 : 1];
+    const bool off =
+        grids > 3 && formal_given && order.fit && !(order.fit->low <= formal + 0.1 && formal - 0.1 <= order.fit->high);
+    if (judge.verdict == Convergence::converges && off)
+        return {Convergence::inconclusive, fmt::format("the order found is not the formal one, {}", formal)};
+    return {judge.verdict, judge.reason.empty() ? "by " + judge.method : judge.reason};
+}
+
 Answer value_answer(const NumberTable& table, const Columns& columns, const std::string& file, double formal) {
     const auto h = abscissa_of(table, columns.abscissae[0], 0, file);
     const auto values = table.column(columns.measured, 1, file);
     std::vector<GridValue> grids;
     for (std::size_t i = 0; i < h.size(); ++i) grids.push_back({h[i], values[i]});
     const auto found = extrapolations(grids, formal);
-    const Convergence verdict = found[found.size() == 1 ? 0 : grids.size() > 3 ? 2 : 1].verdict;
+    const FitOutcome order = fit_order_of_values(grids);
+    const auto [verdict, reason] = judged(order, found, grids.size(), formal);
     Answer answer{verdict, {}, json_head(columns, verdict)};
-    add_order(fit_order_of_values(grids), answer);
+    add_order(order, answer);
     answer.json["extrapolations"] = Json::array();
     for (const auto& each : found) {
         answer.lines.push_back(reports::line_of(each));
         if (!each.assumes.empty()) answer.lines.push_back("  assumes: " + each.assumes);
         answer.json["extrapolations"].push_back(reports::json_of(each));
     }
-    answer.lines.push_back("verdict: " + text_of(verdict));
+    answer.lines.push_back(text_of(verdict) + ": " + reason);
     return answer;
 }
 

@@ -39,8 +39,9 @@ std::optional<double> number_in(const std::string& cell) {
     return value;
 }
 
+/// No cell is a number: a row with one that cannot be read is no head, it would be lost.
 bool is_head(const std::vector<std::string>& cells) {
-    return std::ranges::any_of(cells, [](const std::string& cell) { return !number_in(cell); });
+    return std::ranges::none_of(cells, [](const std::string& cell) { return number_in(cell).has_value(); });
 }
 
 std::vector<std::string> head_from(const std::vector<std::string>& cells, const std::string& where) {

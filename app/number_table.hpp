@@ -16,7 +16,7 @@ struct NumberTable {
 };
 
 /// Lines that are empty or begin with '#' are skipped. Cells are separated by commas where the line has one, else by
-/// blanks; quotes around one are dropped. The first line is a head if one of its cells is no number. "nan" and "inf"
+/// blanks; quotes around one are dropped. The first line is a head if none of its cells is a number. "nan" and "inf"
 /// are numbers: what they mean is for the fit to say. Throws InputError, with the line, on a cell that is no number, a
 /// row of another length, and a table without rows.
 NumberTable number_table(const std::string& text, const std::string& where);

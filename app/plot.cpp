@@ -27,8 +27,8 @@ std::vector<std::string> abscissae_of(const po::variables_map& options) {
     return names;
 }
 
-std::vector<reports::Figure> figures_against(const std::string& abscissa, const reports::Report& report,
-                                             reports::PlotFormat format) {
+std::vector<reports::Drawing> figures_against(const std::string& abscissa, const reports::Report& report,
+                                              reports::PlotFormat format) {
     if (abscissa == "h") return reports::figures(report, format);
     return reports::figures(report, format, abscissa == "time" ? reports::Cost::time : reports::Cost::work);
 }
@@ -39,7 +39,7 @@ int draw_plot(const po::variables_map& options, const std::vector<std::string>& 
         options, {{"svg", PlotFormat::svg}, {"pdf", PlotFormat::pdf}, {"png", PlotFormat::png}}, "ordo plot");
     const auto abscissae = abscissae_of(options);
     const auto report = reports::read_report(one_report(files, "ordo plot"));
-    std::vector<reports::Figure> all;
+    std::vector<reports::Drawing> all;
     for (const auto& abscissa : abscissae)
         std::ranges::move(figures_against(abscissa, report, format), std::back_inserter(all));
     for (const auto& file : reports::draw(all, options["out"].as<std::string>(), format)) std::cout << file << '\n';

@@ -53,6 +53,9 @@ void check_twin(const Report& report, const Report& twin, const std::string& nam
     const auto other = differences(question_of(report.result.study), question_of(twin.result.study));
     if (!other.empty()) throw InputError(name, "is no twin, it answers another question: " + text_of(other));
     check_runs(report, twin, name);
+    if (maker_of(report).revision != maker_of(twin).revision)
+        throw InputError(name, "is no twin: it was made by another revision, '" + maker_of(twin).revision +
+                                   "', whose changes are no scatter");
     if (same_build_and_machine(maker_of(report), maker_of(twin)))
         throw InputError(name,
                          "is no twin: the same compiler, flags and machine give the same bits and show no scatter "

@@ -53,8 +53,8 @@ Words convergence_words(const studies::Result& result, const View& view, const L
 
 }  // namespace
 
-std::vector<Figure> figures(const Report& report, PlotFormat format) {
-    std::vector<Figure> all;
+std::vector<Drawing> figures(const Report& report, PlotFormat format) {
+    std::vector<Drawing> all;
     const auto views = views_of(report.result);
     for (const auto& view : views) {
         if (view.quantity.against == studies::Against::itself) continue;  // a norm is no error
@@ -66,9 +66,9 @@ std::vector<Figure> figures(const Report& report, PlotFormat format) {
     return all;
 }
 
-std::vector<Figure> figures(const Report& report, PlotFormat format, Cost cost) {
+std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost) {
     refuse_without(report.result, cost);
-    std::vector<Figure> all;
+    std::vector<Drawing> all;
     for (const auto& quantity : report.result.study.measure.quantities) {
         if (quantity.against == studies::Against::itself) continue;
         const std::string name = file_name(report.result.study, quantity, text_of(cost));
@@ -79,7 +79,7 @@ std::vector<Figure> figures(const Report& report, PlotFormat format, Cost cost) 
     return all;
 }
 
-std::vector<std::string> draw(const std::vector<Figure>& figures, const std::string& folder, PlotFormat format) {
+std::vector<std::string> draw(const std::vector<Drawing>& figures, const std::string& folder, PlotFormat format) {
     std::vector<std::string> scripts;
     check_writable((fs::path(folder) / ".ordo").string());
     for (const auto& figure : figures) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "core/text.hpp"
@@ -16,6 +17,17 @@ const Run& run_of(const Result& result, int id) { return result.runs[static_cast
 
 std::string range_text(const std::vector<Condition>& where) { return where.empty() ? "" : " where " + text_of(where); }
 
+bool admits(const Expectation& expectation, const Run& run) {
+    return std::all_of(expectation.where.begin(), expectation.where.end(),
+                       [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
+}
+
+/// Whether the expectation's range holds a run of the fit's series; a range of other axes may leave none.
+bool admits_any(const Result& result, const Expectation& expectation, const SeriesFit& fit) {
+    const auto admitted = [&](const LeftOut& left_out) { return admits(expectation, run_of(result, left_out.run)); };
+    return !fit.used.empty() || std::ranges::any_of(fit.left_out, admitted);
+}
+
 /// An order that no series can show fails.
 void check_orders(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
     const std::string claim = text_of_order(expectation) +
@@ -25,16 +37,11 @@ void check_orders(const Result& result, const Expectation& expectation, std::vec
     for (const auto& fit : result.fits) {
         const auto& solver = run_of(result, fit.used.empty() ? fit.left_out.front().run : fit.used.front()).solver;
         const bool ours = speaks_of(expectation, fit.quantity, solver) && speaks_along(expectation, fit.abscissa);
-        if (!ours || fit.where != text_of(expectation.where)) continue;
+        if (!ours || fit.where != text_of(expectation.where) || !admits_any(result, expectation, fit)) continue;
         checks.push_back(order_check(expectation, fit, claim));
     }
     if (checks.size() == before)
         checks.push_back({claim, "all runs", expectation.source, Verdict::fail, "no series", Fault::no_such_series});
-}
-
-bool admits(const Expectation& expectation, const Run& run) {
-    return std::all_of(expectation.where.begin(), expectation.where.end(),
-                       [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
 }
 
 /// What keeps an error from being inside its bound; a zero is no error at most, exactness is expected by its own name.
@@ -46,12 +53,15 @@ Fault fault_of_error(double error, const Expectation& expectation) {
     return error <= expectation.value ? Fault::none : Fault::error_too_large;
 }
 
-/// Every admitted run of the series has a finite error inside the bound.
-Check bound_check(const Result& result, const Expectation& expectation, const Series& series,
-                  const Quantity& quantity) {
+std::string bound_claim(const Expectation& expectation) {
     const std::string name = expectation.kind == Expectation::Kind::exact_within ? "exact within " : "error at most ";
-    Check check{name + shortest(expectation.value) + range_text(expectation.where),
-                series.label + ": " + quantity.key(), expectation.source, Verdict::pass, ""};
+    return name + shortest(expectation.value) + range_text(expectation.where);
+}
+
+/// Every admitted run of the series has a finite error inside the bound; nothing where none is admitted.
+std::optional<Check> bound_check(const Result& result, const Expectation& expectation, const Series& series,
+                                 const Quantity& quantity) {
+    Check check{bound_claim(expectation), series.label + ": " + quantity.key(), expectation.source, Verdict::pass, ""};
     double worst = -1;
     int runs = 0;
     for (const int id : series.runs) {
@@ -64,22 +74,26 @@ Check bound_check(const Result& result, const Expectation& expectation, const Se
         if (!(error <= worst)) worst = error;
         if (std::isnan(error)) break;
     }
-    if (runs == 0) check.fault = Fault::no_such_series;
+    if (runs == 0) return {};
     if (check.fault != Fault::none) check.verdict = Verdict::fail;
-    check.found = runs == 0 ? "no run" : fmt::format("largest {:.4e}", worst);
+    check.found = fmt::format("largest {:.4e}", worst);
     if (check.fault == Fault::error_is_zero) check.found += "; an error is zero, which is expected by exact_within";
     return check;
 }
 
 void check_bounds(const Result& result, const Expectation& expectation, std::vector<Check>& checks) {
     const auto lines = lines_of(result.study, result.runs);
+    const std::size_t before = checks.size();
     for (const auto& quantity : result.study.measure.quantities) {
         for (const auto& series : lines) {
             const auto& solver = run_of(result, series.runs.front()).solver;
-            if (speaks_of(expectation, quantity.key(), solver))
-                checks.push_back(bound_check(result, expectation, series, quantity));
+            if (!speaks_of(expectation, quantity.key(), solver)) continue;
+            if (auto check = bound_check(result, expectation, series, quantity)) checks.push_back(std::move(*check));
         }
     }
+    if (checks.size() == before)
+        checks.push_back(
+            {bound_claim(expectation), "all runs", expectation.source, Verdict::fail, "no run", Fault::no_such_series});
 }
 
 /// Planned runs that are not there, runs that are there twice or without being planned, and runs that were not made as
@@ -90,12 +104,15 @@ struct Misplaced {
     long off_plan = 0;
 };
 
+bool is_finest(const Quantity& quantity) { return quantity.against == Against::finest; }
+
 /// Time, mesh width and step of the run are those of its plan, to the rounding that machines differ by.
 bool as_planned(const RunSpec& spec, const Run& run) {
     const auto alike = [](double found, double planned) {
         return std::abs(found - planned) <= 1e-12 * std::abs(planned);
     };
-    return alike(run.t, spec.t_end) && alike(run.h, spec.plan.h) && alike(run.dt, step_taken(spec));
+    const bool compared = run.status != Status::reference || std::ranges::any_of(spec.measure.quantities, is_finest);
+    return compared && alike(run.t, spec.t_end) && alike(run.h, spec.plan.h) && alike(run.dt, step_taken(spec));
 }
 
 Misplaced misplaced(const Result& result) {
@@ -119,7 +136,7 @@ Misplaced misplaced(const Result& result) {
 
 /// What is wrong with an error of a run that came to its end, whether an expectation speaks of it or not. The place of
 /// a wave that a coarse answer does not show is no number, and only an expectation asks for it.
-Fault not_finite(const Result& result) {
+Fault no_error(const Result& result) {
     for (const auto& quantity : result.study.measure.quantities) {
         if (is_place(quantity.norm)) continue;
         for (const auto& run : result.runs) {
@@ -127,6 +144,7 @@ Fault not_finite(const Result& result) {
             if ((run.status != Status::ok && run.status != Status::reference) || is_reference) continue;
             const double error = run.error(quantity.key());
             if (!std::isfinite(error)) return std::isnan(error) ? Fault::error_is_nan : Fault::error_is_infinite;
+            if (error < 0) return Fault::error_is_negative;
         }
     }
     return Fault::none;
@@ -141,15 +159,17 @@ Check ends_check(const Result& result) {
     Check check{"every planned run ends", "all runs", "rule of the house", Verdict::pass, ""};
     if (blown_up > 0 && !result.study.diverged_allowed) check.fault = Fault::run_diverged;
     if (broken > 0) check.fault = Fault::run_failed;
-    if (const Fault found = not_finite(result); found != Fault::none) check.fault = found;
+    const Fault unmeasured = no_error(result);
+    if (unmeasured != Fault::none) check.fault = unmeasured;
     if (off_plan > 0) check.fault = Fault::off_plan;
     if (repeated > 0) check.fault = Fault::point_repeated;
     if (missing > 0) check.fault = Fault::point_missing;
     if (result.runs.empty()) check.fault = Fault::nothing_measured;
     if (check.fault != Fault::none) check.verdict = Verdict::fail;
     check.found =
-        fmt::format("{} runs, {} diverged{}, {} failed, {} missing, {} repeated or not planned", result.runs.size(),
-                    blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken, missing, repeated);
+        fmt::format("{} runs, {} diverged{}, {} failed, {} missing, {} repeated or not planned, {} off their plan{}",
+                    result.runs.size(), blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken, missing,
+                    repeated, off_plan, unmeasured == Fault::none ? "" : "; " + text_of(unmeasured));
     return check;
 }
 

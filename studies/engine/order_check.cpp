@@ -61,8 +61,11 @@ Fault fault_of(Refusal refusal) {
 
 Check order_check(const Expectation& expectation, const SeriesFit& fit, const std::string& claim) {
     const auto [verdict, fault] = finding_of(expectation, fit);
+    const std::string levels =
+        fault == Fault::fewer_levels ? fmt::format("; at least {} levels are asked for", expectation.levels) : "";
     const std::string declared = expectation.may_exceed.empty() ? "" : "; may exceed: " + expectation.may_exceed;
-    return {claim, fit.series + ": " + fit.quantity, expectation.source, verdict, found_text(fit) + declared, fault};
+    return {claim,   fit.series + ": " + fit.quantity,    expectation.source,
+            verdict, found_text(fit) + levels + declared, fault};
 }
 
 }  // namespace ordo::studies

@@ -59,9 +59,9 @@ void bear_bend(Candidate& candidate, const LogSeries& window, const LeastSquares
     const double t = student(points - 2, end_quantile);
     const double further = unseen_levels * std::abs(coarse.slope - fine.slope) / (points - 1);
     const bool falls = coarse.slope > fine.slope;  // with refinement: a second power, or a floor
-    candidate.low = fine.slope - t * fine.deviation - (falls ? further : 0);
-    candidate.high = std::max(fine.slope + t * fine.deviation + (falls ? 0 : further),
-                              coarse.slope + t * coarse.deviation + (falls ? further : 0));
+    candidate.low = std::min(candidate.order, fine.slope - t * fine.deviation - (falls ? further : 0));
+    candidate.high = std::max({candidate.order, fine.slope + t * fine.deviation + (falls ? 0 : further),
+                               coarse.slope + t * coarse.deviation + (falls ? further : 0)});
 }
 
 /// Whether the two finest points lie where a line through the others foretells them.
@@ -144,7 +144,7 @@ Candidate above_floor(const LogSeries& series, Index dropped) {
     candidate.model = ErrorModel::power_and_floor;
     candidate.dropped = dropped;
     candidate.possible = false;
-    if (series.size() - dropped < 6) return candidate;  // else the criterion is undefined
+    if (series.size() < 6 + dropped) return candidate;  // else the criterion is undefined
     const LogSeries window = series.finest(series.size() - dropped);
     const LeastSquares fit = power_and_floor(window);
     candidate.akaike = fit.found ? akaike_of(fit, series.size(), 3, dropped) : candidate.akaike;

@@ -276,8 +276,11 @@ FitOutcome fit_order_of_values(std::vector<GridValue> grids) {
         const double freedom = static_cast<double>(grids.size() - 3);
         const double width = boost::math::quantile(boost::math::students_t(freedom), 0.975) * error_of_order(h, law);
         fit.order = law.order;
-        fit.low = law.order - width;
-        fit.high = law.order + width;
+        // Triples whose orders drift show that one law does not hold: the interval bears them all.
+        const auto [least, largest] = std::ranges::minmax(fit.neighbours);
+        const bool orderly = std::ranges::all_of(fit.neighbours, [](double order) { return std::isfinite(order); });
+        fit.low = orderly ? std::min(law.order - width, least) : -inf;
+        fit.high = orderly ? std::max(law.order + width, largest) : inf;
         fit.coefficient = std::abs(law.constant) / std::pow(h.maxCoeff(), law.order);
     }
     outcome.verdict = fit.low > 0    ? Convergence::converges

@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
-#include "core/text.hpp"
 #include "studies/order/joint_model.hpp"
+#include "studies/order/joint_points.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -18,52 +18,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t fewest_points = 7;  ///< one more than Akaike's corrected criterion needs for two parts
-constexpr std::size_t fewest_levels = 3;  ///< two lie on any power
-constexpr double widest = 0.5;            ///< half-width of an order that is still one
-constexpr double most_scatter = 0.5;      ///< of ln(error)
-constexpr double most_drift = 0.2;        ///< of an order over the grid
-constexpr double standstill = 0.1;        ///< an order that is none
+constexpr double widest = 0.5;        ///< half-width of an order that is still one
+constexpr double most_scatter = 0.5;  ///< of ln(error)
+constexpr double most_drift = 0.2;    ///< of an order over the grid
+constexpr double standstill = 0.1;    ///< an order that is none
 constexpr double significant = 0.01;
 
-double abscissa_of(const JointPoint& point, int part) { return part == 0 ? point.h : point.dt; }
-
-const char* name_of(int part) { return part == 0 ? "h" : "dt"; }
-
 const char* error_of(int part) { return part == 0 ? "space error" : "time error"; }
-
-/// Values of h (0) or dt (1), rising.
-std::set<double> levels_of(const std::vector<JointPoint>& points, int part) {
-    std::set<double> levels;
-    for (const auto& point : points) levels.insert(abscissa_of(point, part));
-    return levels;
-}
-
-/// Why these points cannot be fitted, or "".
-std::string invalid_point(const std::vector<JointPoint>& points) {
-    std::set<std::pair<double, double>> places;
-    for (const auto& [h, dt, error] : points) {
-        const std::string at = " at h = " + shortest(h) + ", dt = " + shortest(dt);
-        if (!(h > 0) || !(dt > 0) || !std::isfinite(h) || !std::isfinite(dt)) return "an abscissa is not positive" + at;
-        if (!std::isfinite(error)) return "the error is " + shortest(error) + at;
-        if (error == 0) return "the error is zero" + at;
-        if (error < 0) return "the error is negative" + at;
-        if (!places.emplace(h, dt).second) return "the point is repeated" + at;
-    }
-    return "";
-}
-
-std::string too_few(const std::vector<JointPoint>& points) {
-    if (points.size() < fewest_points)
-        return fmt::format("{} points, but at least {} are needed", points.size(), fewest_points);
-    for (const int part : {0, 1}) {
-        const auto levels = levels_of(points, part).size();
-        if (levels < fewest_levels)
-            return fmt::format("{} value{} of {}, but at least {} are needed", levels, levels == 1 ? "" : "s",
-                               name_of(part), fewest_levels);
-    }
-    return "";
-}
 
 JointLogs logs_of(const std::vector<JointPoint>& points) {
     const auto n = static_cast<Index>(points.size());
@@ -193,10 +154,16 @@ NextRun best_next(const Judged& fit, const std::vector<double>& widths, const st
     return best;
 }
 
+/// The three coarsest and the three finest: what lies between them teaches less.
+std::vector<double> ends_of(std::vector<double> levels) {
+    if (levels.size() > 6) levels.erase(levels.begin() + 3, levels.end() - 3);
+    return levels;
+}
+
 /// Where an error does not show, it is largest at the coarsest level of its own and the finest of the other.
 NextRun next_of(const Judged& fit) {
-    const auto widths = extended(levels_of(fit.points, 0));
-    const auto steps = extended(levels_of(fit.points, 1));
+    const auto widths = ends_of(extended(levels_of(fit.points, 0)));
+    const auto steps = ends_of(extended(levels_of(fit.points, 1)));
     const bool space = fit.knows(0), time = fit.knows(1);
     NextRun next;
     if (space && time) return best_next(fit, widths, steps);

@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 
 constexpr int most_steps = 80;
 constexpr int most_trials = 12;
+constexpr Index most_starts = 12;  // of splits into two regimes
 
 double squares_of(const VectorXd& residuals) {
     const double least = static_cast<double>(residuals.size()) * rounding * rounding;
@@ -117,7 +118,8 @@ LeastSquares polynomial(const LogSeries& series, int degree) {
 LeastSquares power_and_floor(const LogSeries& series, const VectorXd* near) {
     if (near != nullptr) return least_squares(series, *near, floor_model);
     LeastSquares best;
-    for (Index split = 1; split + 1 < series.size(); ++split) {
+    const Index stride = 1 + series.size() / most_starts;
+    for (Index split = 1; split + 1 < series.size(); split += stride) {
         const VectorXd line = polynomial(series.coarsest(split + 1), 1).parameters;
         const double plateau = series.y.tail(series.size() - split).mean();
         keep_better(best,
@@ -129,7 +131,8 @@ LeastSquares power_and_floor(const LogSeries& series, const VectorXd* near) {
 LeastSquares two_powers(const LogSeries& series, double sign, const VectorXd* near) {
     if (near != nullptr) return least_squares(series, *near, TwoPowersModel{sign});
     LeastSquares best;
-    for (Index split = 2; split <= series.size() - 2; ++split) {
+    const Index stride = 1 + series.size() / most_starts;
+    for (Index split = 2; split <= series.size() - 2; split += stride) {
         const VectorXd line = polynomial(series.finest(series.size() - split), 1).parameters;
         for (const double difference : {0.7, 1.6}) {
             const double ratio = sign > 0 ? -difference * series.x[split] : -difference * series.x[0] - 0.5;

@@ -47,7 +47,7 @@ LogSeries logarithms_of(const std::vector<FitPoint>& points) {
     LogSeries series{Eigen::VectorXd(n), Eigen::VectorXd(n)};
     for (Index i = 0; i < n; ++i) {
         const auto& point = points[static_cast<std::size_t>(i)];
-        series.x[i] = std::log(point.abscissa / points.back().abscissa);
+        series.x[i] = std::log(point.abscissa) - std::log(points.back().abscissa);
         series.y[i] = std::log(point.error);
     }
     return series;
@@ -64,6 +64,16 @@ bool settles(const LogSeries& series) {
            0.75 * std::abs(neighbour(series, 1) - neighbour(series, 0));
 }
 
+/// Neighbour orders move one way only, and no less at the fine end than at the coarse one.
+bool runs_away(const LogSeries& series) {
+    const Index last = series.size() - 2;
+    const double coarse = neighbour(series, 1) - neighbour(series, 0);
+    for (Index i = 1; i <= last; ++i) {
+        if (!((neighbour(series, i) - neighbour(series, i - 1)) * coarse > 0)) return false;
+    }
+    return std::abs(neighbour(series, last) - neighbour(series, last - 1)) >= std::abs(coarse);
+}
+
 /// What was chosen, the interval over all that is equally good, and what else there is to say.
 struct Choice {
     Candidate best;
@@ -75,7 +85,8 @@ Choice choice_of(const LogSeries& series) {
     Choice choice{power_law(series, 0)};
     if (!choice.best.curved) return choice;
     std::vector<Candidate> candidates{with_second_power(series)};
-    for (Index dropped = 0; dropped + 3 <= series.size(); ++dropped) {
+    const Index most_dropped = std::min<Index>(series.size() / 2, 8);
+    for (Index dropped = 0; dropped <= most_dropped && dropped + 3 <= series.size(); ++dropped) {
         if (dropped > 0) candidates.push_back(power_law(series, dropped));
         candidates.push_back(above_floor(series, dropped));
     }
@@ -103,6 +114,11 @@ Said said_of_bend(const LogSeries& series, const Candidate& line) {
     const double half = (line.high - line.low) / 2;
     if (line.low > least_order && (half <= narrow_line || (half <= widest_line && settles(series))))
         return {Convergence::converges, "power law that bends within the interval; too few points for a second term"};
+    Index growing = 0;
+    for (Index i = 0; i + 1 < series.size(); ++i) growing += neighbour(series, i) < 0;
+    if (line.low <= least_order && line.low > -least_order && line.high < 0.3)
+        return {Convergence::stalled, "errors do not fall"};
+    if (growing == series.size() - 1) return {Convergence::diverges, "errors grow with every refinement"};
     const bool few = series.size() < 7;
     return {
         Convergence::pre_asymptotic,
@@ -130,7 +146,7 @@ bool falls(const LogSeries& series) {
 
 Said said_of(const LogSeries& series, const Candidate& best) {
     if (series.size() == 2) return {Convergence::inconclusive, "two points have an order, and no interval"};
-    if (best.high < 0) return {Convergence::diverges, "errors grow with refinement"};
+    if (best.high < 0 && best.low < -least_order) return {Convergence::diverges, "errors grow with refinement"};
     if (best.low <= least_order && best.high < 0.3) return {Convergence::stalled, "errors do not fall"};
     const bool line = best.model == ErrorModel::power;
     const double half = (best.high - best.low) / 2;
@@ -214,8 +230,8 @@ FitOutcome fit_order(std::vector<FitPoint> given) {
     const auto [verdict, reason] = found ? said_of(series, best) : said_of_bend(series, best);
     outcome.verdict = verdict;
     outcome.reason = reason;
-    const bool unknown = verdict == Convergence::at_floor || verdict == Convergence::pre_asymptotic;
-    if (found && unknown) {
+    const bool drifts = verdict == Convergence::pre_asymptotic;
+    if (verdict == Convergence::at_floor || (drifts && (found || runs_away(series)))) {
         best.low = -std::numeric_limits<double>::infinity();
         best.high = std::numeric_limits<double>::infinity();
     }

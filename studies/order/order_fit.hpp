@@ -31,8 +31,8 @@ struct Refused {
 
 struct OrderFit {
     double order = 0;
-    double low = 0;  ///< 95 % interval; infinite with two points, with too few above a floor, and where the finest ones
-                     ///< are not where the others foretell them
+    double low = 0;  ///< 95 % interval; infinite with two points, with too few above a floor, where the finest ones
+                     ///< are not where the others foretell them, and where neighbour orders run away
     double high = 0;
     double coefficient = 0;  ///< A
     ErrorModel model = ErrorModel::power;

@@ -45,7 +45,7 @@ TEST_CASE("cli: the completion offers sub-commands, options, words and files", "
     CHECK(completed({"ordo", "pl"}) == "<plot>");
     CHECK(completed({"ordo", "comp"}) == "<completion>");
     CHECK(completed({"ordo", "run", "--j"}) == "<--jobs>");
-    CHECK(completed({"ordo", "check", "--"}) == "<--help><--against><--junit>");
+    CHECK(completed({"ordo", "check", "--"}) == "<--help><--against><--times><--verbose><--junit><--annotations><--summary>");
     CHECK(completed({"ordo", "list", "sch"}) == "<schema>");
     CHECK(completed({"ordo", "table", "a"}) == "<a file.json>");
     CHECK(completed({"ordo", "nothing", "-"}) == "<>");

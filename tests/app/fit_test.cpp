@@ -67,7 +67,9 @@ TEST_CASE("cli: numbers of cells are taken as what they are", "[cli]") {
 TEST_CASE("cli: values without an exact solution", "[cli]") {
     const Folder folder;
     folder.write("v.csv", "h,f,g\n1,0.970500,1\n2,0.968540,1\n4,0.961780,1\n");
-    const auto fit = folder.ordo({"fit", "v.csv", "--value", "f"});
+    CHECK(folder.ordo({"fit", "v.csv", "--value", "f"}).code == 1);  // three grids prove no order by themselves
+    CHECK(folder.ordo({"fit", "v.csv", "--value", "h"}).code == 2);  // a column against itself
+    const auto fit = folder.ordo({"fit", "v.csv", "--value", "f", "--formal", "2"});
     CHECK(fit.code == 0);
     CHECK_THAT(fit.out, ContainsSubstring("no exact solution: Richardson") && ContainsSubstring("order 1.78617") &&
                             ContainsSubstring("limit 0.9713"));
@@ -76,6 +78,9 @@ TEST_CASE("cli: values without an exact solution", "[cli]") {
     CHECK(json["extrapolations"][1]["method"] == "GCI");
     CHECK(json["extrapolations"][2]["limit"].is_null());  // Eca-Hoekstra wants four grids
     CHECK(folder.ordo({"fit", "v.csv", "--value", "g"}).code == 1);
+    folder.write("four", "1 1.01\n2 1.04\n4 1.16\n8 1.64\n");  // 1 + h^2/100
+    CHECK(folder.ordo({"fit", "four", "--value", "f", "--formal", "2"}).code == 0);
+    CHECK(folder.ordo({"fit", "four", "--value", "f", "--formal", "4"}).code == 1);
     folder.write("two", "1 1.5\n2 3\n");
     CHECK_THAT(folder.ordo({"fit", "two", "--value", "f"}).out, ContainsSubstring("no formal order"));
     CHECK_THAT(folder.ordo({"fit", "two", "--value", "f", "--formal", "1"}).out,

@@ -192,7 +192,7 @@ MutationClass broken_kernels() {
                 {"rrm: the pressure lost the half of rho v^2 / 2",
                  shipped::gas_tube,
                  line_of<LostHalf>(),
-                 {error_too_large}},
+                 {error_too_large, run_diverged}},
             }};
 }
 

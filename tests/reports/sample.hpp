@@ -62,14 +62,23 @@ inline Study sample_study() {
     return study;
 }
 
+inline studies::FitOutcome converged(OrderFit fit) {
+    return {.fit = std::move(fit), .verdict = studies::Convergence::converges, .reason = "power law", .left_out = {}};
+}
+
+inline studies::FitOutcome refused(const std::string& why, studies::Refusal refusal) {
+    return {.fit = {}, .reason = why, .refusal = refusal, .left_out = {}};
+}
+
 inline reports::Report sample() {
     Result result;
     result.study = sample_study();
     result.runs = sample_runs();
     result.series = {{"mpm", "h", "cells", {0, 1, 2, 3, 4}}, {"fem", "h", "cells", {5, 6, 7}}};
-    const OrderFit fit{2, 1.98, 2.02, 0.81, 1, {2, 2}};
-    result.fits = {{"mpm", rms, "cells <= 27", {0, 1, 2}, {{3, "outside"}, {4, "outside"}}, {fit, ""}},
-                   {"fem", rms, "", {5, 6, 7}, {}, {std::nullopt, "the error is nan"}}};
+    const auto fit =
+        converged({.order = 2, .low = 1.98, .high = 2.02, .coefficient = 0.81, .correlation = 1, .neighbours = {2, 2}});
+    result.fits = {{"mpm", rms, "cells <= 27", {0, 1, 2}, {{3, "outside"}, {4, "outside"}}, fit},
+                   {"fem", rms, "", {5, 6, 7}, {}, refused("the error is nan", studies::Refusal::is_nan)}};
     result.published = {{"T1", 0, "9.0e-02", 0.09, "9.0e-02", true, true},
                         {"T1", 1, "1.1e-02", 0.01, "1.0e-02", false, true},
                         {"T1", -1, "7e-07", nan, "", false, true}};
@@ -108,10 +117,12 @@ inline reports::Report counting_sample() {
     }
     const auto own = result.series;
     for (const auto& series : own) result.series.push_back({series.label, "1/chop_outs", "chop_outs", series.runs});
-    const OrderFit fit{1, 0.9, 1.1, 0.5, 1, {1, 1}};
-    result.fits.push_back({"mpm", rms, "", {0, 1, 2, 3}, {{4, "diverged: "}}, {fit, ""}, "1/chop_outs"});
+    const auto fit =
+        converged({.order = 1, .low = 0.9, .high = 1.1, .coefficient = 0.5, .correlation = 1, .neighbours = {1, 1}});
+    result.fits.push_back({"mpm", rms, "", {0, 1, 2, 3}, {{4, "diverged: "}}, fit, "1/chop_outs"});
     const LeftOut none{5, "it counts no 'chop_outs'"};
-    result.fits.push_back({"fem", rms, "", {}, {none}, {std::nullopt, "fewer than two points"}, "1/chop_outs"});
+    result.fits.push_back(
+        {"fem", rms, "", {}, {none}, refused("fewer than two points", studies::Refusal::too_few), "1/chop_outs"});
     return report;
 }
 

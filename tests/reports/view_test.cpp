@@ -24,7 +24,7 @@ std::vector<std::string> heads_of(const TableModel& model) {
     return heads;
 }
 
-std::vector<std::string> names_of(const std::vector<Figure>& all) {
+std::vector<std::string> names_of(const std::vector<Drawing>& all) {
     std::vector<std::string> names;
     for (const auto& figure : all) names.push_back(figure.name);
     return names;
@@ -65,12 +65,14 @@ TEST_CASE("view: the table of counted work has the counts for places, and orders
     CHECK(table.rows[0].place == "30");
     CHECK(table.rows[3].place == "810");
     CHECK(table.rows[1].cells.back().text == "2.00");  // ln 9 / ln 3
-    CHECK(table.notes == std::vector<std::string>{
-                             "mpm, chop_outs = none at cells = 243: diverged, a speed above 1e3 m/s",
-                             "mpm: order 1.000 [0.90, 1.10]; points chop_outs = 30, 90, 270, 810; left out chop_outs "
-                             "= none at cells = 243 (diverged: )",
-                             "fem: no order: fewer than two points; left out chop_outs = none at cells = 3 (it counts "
-                             "no 'chop_outs')"});
+    CHECK(table.notes ==
+          std::vector<std::string>{
+              "mpm, chop_outs = none at cells = 243: diverged, a speed above 1e3 m/s",
+              "mpm: order 1.000 [0.90, 1.10], converges: power law; points chop_outs = 30, 90, 270, 810; left out "
+              "chop_outs "
+              "= none at cells = 243 (diverged: )",
+              "fem: no order, invalid: fewer than two points; left out chop_outs = none at cells = 3 (it counts "
+              "no 'chop_outs')"});
     for (const auto format : {TableFormat::text, TableFormat::markdown, TableFormat::latex, TableFormat::csv})
         CHECK_FALSE(reports::table(counting_sample(), format).empty());
 }

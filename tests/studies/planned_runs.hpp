@@ -16,7 +16,7 @@ std::vector<studies::Run> planned_runs(const studies::Study& study, F error) {
         run.solver = spec.solver.label;
         run.axes = spec.axes;
         run.h = spec.plan.h;
-        run.dt = spec.plan.dt;
+        run.dt = studies::step_taken(spec);
         run.t = spec.t_end;
         run.errors = {{"displacement.rms", error(spec.plan.h)}};
         runs.push_back(run);

@@ -1,7 +1,7 @@
 // Published tables, through the whole engine: every printed digit.
 #include <sstream>
 
-#include "reports/gate.hpp"
+#include "reports/gate/compare.hpp"
 #include "reports/table/table.hpp"
 #include "studies/engine/engine.hpp"
 #include "studies/engine/judge.hpp"
@@ -94,7 +94,7 @@ TEST_CASE("the flagship study is as accepted", "[published]") {
     const std::string path =
         ordo::reports::baseline_path(std::string(ORDO_SOURCE_DIR) + "/reports/baseline", report.result.study.name);
     const auto checks = ordo::reports::checks_against(report, ordo::reports::read_baseline(path));
-    CHECK(checks.size() == 2);
+    CHECK(checks.size() >= 2);
     for (const auto& check : checks) {
         CAPTURE(check.found);
         CHECK(check.verdict == Verdict::pass);

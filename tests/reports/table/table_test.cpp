@@ -109,10 +109,11 @@ TEST_CASE("table: a printed value that nobody judges has no mark", "[unit]") {
 
 TEST_CASE("table: notes say why runs stopped and what each fit used", "[unit]") {
     const auto model = table_model(sample());
-    CHECK(model.tables[0].notes == Words{"mpm, cells = 243: diverged, a speed above 1e3 m/s",
-                                         "mpm where cells <= 27: order 2.000 [1.98, 2.02]; points cells = 3, 9, 27; "
-                                         "left out cells = 81, 243 (outside)",
-                                         "fem: no order: the error is nan; points cells = 3, 9, 27"});
+    CHECK(model.tables[0].notes ==
+          Words{"mpm, cells = 243: diverged, a speed above 1e3 m/s",
+                "mpm where cells <= 27: order 2.000 [1.98, 2.02], converges: power law; points cells = 3, 9, 27; "
+                "left out cells = 81, 243 (outside)",
+                "fem: no order, invalid: the error is nan; points cells = 3, 9, 27"});
     CHECK(model.verdicts == Words{"pass: order 2 +- 0.1; mpm; 2.000",
                                   "T1: 1 of 3 printed values reproduced to every digit; 1 without a run"});
     CHECK(model.verdict == "fail");
@@ -126,7 +127,7 @@ TEST_CASE("table: two points have no interval, and a band is named", "[unit]") {
     report.result.study.published[0].compare = studies::Compare::band;
     report.result.study.published[0].band = 0.05;
     const auto model = table_model(report);
-    CHECK_THAT(model.tables[0].notes[1], ContainsSubstring("order 2.000 [no interval];"));
+    CHECK_THAT(model.tables[0].notes[1], ContainsSubstring("order 2.000 [no interval],"));
     CHECK(has(model.verdicts, "T1: 1 of 3 printed values met within 5 %; 1 without a run"));
 }
 

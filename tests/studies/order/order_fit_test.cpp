@@ -204,7 +204,8 @@ TEST_CASE("order fit: GSL's regression and Student quantile agree", "[unit]") {
 TEST_CASE("order fit: points may come in any order, neighbours follow falling abscissae", "[unit]") {
     const OrderFit sorted = fitted({{1, 8}, {0.5, 4}, {0.25, 1}, {0.125, 0.5}});
     const OrderFit mixed = fitted({{0.25, 1}, {1, 8}, {0.125, 0.5}, {0.5, 4}});
-    CHECK(sorted.neighbours == std::vector<double>{1, 2, 1});
+    const std::vector<double> neighbours{1, 2, 1};
+    for (std::size_t k = 0; k < 3; ++k) CHECK(sorted.neighbours.at(k) == Approx(neighbours[k]).epsilon(1e-14));
     CHECK(mixed.neighbours == sorted.neighbours);
     CHECK(mixed.order == Approx(sorted.order).epsilon(1e-14));
     CHECK(mixed.high == Approx(sorted.high).epsilon(1e-13));

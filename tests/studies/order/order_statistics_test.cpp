@@ -129,7 +129,7 @@ TEST_CASE("order statistics: docs/orders.md holds this table", "[convergence]") 
                                                           {"(b) `A h^p + f`", Kind::floor},
                                                           {"(c) `A h^p + B h^q`", Kind::second_power},
                                                           {"(d) not converging", Kind::non_converging}};
-    std::ifstream file("docs/orders.md");
+    std::ifstream file(ORDO_SOURCE_DIR "/docs/orders.md");
     const std::string page((std::istreambuf_iterator<char>(file)), {});
     for (const auto& [name, kind] : kinds) {
         const std::string found = row(name, kind);
