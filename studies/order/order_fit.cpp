@@ -113,7 +113,7 @@ struct Said {
 Said said_of_bend(const LogSeries& series, const Candidate& line) {
     const double half = (line.high - line.low) / 2;
     if (line.low > least_order && (half <= narrow_line || (half <= widest_line && settles(series))))
-        return {Convergence::converges, "power law that bends within the interval; too few points for a second term"};
+        return {Convergence::converges, "power law that bends within the interval"};
     Index growing = 0;
     for (Index i = 0; i + 1 < series.size(); ++i) growing += neighbour(series, i) < 0;
     if (line.low <= least_order && line.low > -least_order && line.high < 0.3)
