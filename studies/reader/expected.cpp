@@ -71,7 +71,7 @@ std::vector<Expectation> expected_orders(const Node& node, const Expectation& cl
         for (const auto& quantity : study.measure.quantities) {
             if (!speaks_of(claim, quantity.key(), choice.label)) continue;
             const auto [order, theory, refused] = order_of(node, study, choice, quantity);
-            if (!refused.empty()) node.refuse("for " + choice.label + ": " + quantity.key() + ", " + refused + "");
+            if (!refused.empty()) node.refuse("for " + choice.label + ": " + quantity.key() + ", " + refused);
             Expectation one = claim;
             one.value = order;
             one.theory = theory;
