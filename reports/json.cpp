@@ -26,17 +26,19 @@ Json figures(const std::vector<studies::RunFigure>& from) {
 }
 
 Json run_json(const studies::Run& run) {
-    return {{"run", run.id},
-            {"solver", run.solver},
-            {"axes", figures(run.axes)},
-            {"h", number(run.h)},
-            {"dt", number(run.dt)},
-            {"t", number(run.t)},
-            {"status", studies::text_of(run.status)},
-            {"reason", run.reason},
-            {"errors", figures(run.errors)},
-            {"drift", figures(run.drift)},
-            {"work", figures(run.work)}};
+    Json json{{"run", run.id},
+              {"solver", run.solver},
+              {"axes", figures(run.axes)},
+              {"h", number(run.h)},
+              {"dt", number(run.dt)},
+              {"t", number(run.t)},
+              {"status", studies::text_of(run.status)},
+              {"reason", run.reason},
+              {"errors", figures(run.errors)},
+              {"drift", figures(run.drift)},
+              {"work", figures(run.work)}};
+    if (!run.skipped.empty()) json["skipped"] = figures(run.skipped);
+    return json;
 }
 
 Json series_json(const studies::Series& series) {
@@ -156,7 +158,7 @@ std::vector<studies::RunFigure> figures_from(const Node& node) {
 }
 
 studies::Run run_from(const Node& node) {
-    node.only({"run", "solver", "axes", "h", "dt", "t", "status", "reason", "errors", "drift", "work"});
+    node.only({"run", "solver", "axes", "h", "dt", "t", "status", "reason", "errors", "drift", "work", "skipped"});
     studies::Run run;
     run.id = whole(node.at("run"));
     run.solver = node.at("solver").text();
@@ -170,6 +172,7 @@ studies::Run run_from(const Node& node) {
     run.errors = figures_from(node.at("errors"));
     run.drift = figures_from(node.at("drift"));
     run.work = figures_from(node.at("work"));
+    if (node.has("skipped")) run.skipped = figures_from(node.at("skipped"));
     return run;
 }
 

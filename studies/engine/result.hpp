@@ -35,6 +35,7 @@ struct Run {
     std::vector<RunFigure> errors;  ///< by quantity key; NaN where a run has none
     std::vector<RunFigure> drift;
     std::vector<RunFigure> work;
+    std::vector<RunFigure> skipped;  ///< work that it did not have to do, and its share of the whole
     double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none

@@ -94,6 +94,7 @@ void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrup
     run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), parts, interrupt, run.seconds);
     run.work = figures(simulation->work());
     run.drift = figures(simulation->drift());
+    for (const auto& [what, share] : simulation->skipped()) run.skipped.push_back({what, share});
     outcome.snapshot = simulation->snapshot();
     std::string which;
     if (!finite(*outcome.snapshot, which)) throw solvers::Diverged("the " + which + " is not finite at the end");
