@@ -39,6 +39,7 @@ std::vector<Line> lines() {
         {"contacts that run round a ring",
          {gas, {0, 0.6, 0.75, 1}, {moving, gas.contents(3, 0.7, 1), moving}, {ring, ring}},
          1},
+        {"a blast on a ring", {gas, {0, 0.7, 0.8, 1}, {cold, gas.contents(1, 0, 4), cold}, {ring, ring}}, 0.3},
         {"two blasts", {gas, {0, 0.2, 0.25, 0.8, 0.85, 1}, {cold, gas.contents(2, 0, 9), cold, moving, cold}}, 0.3},
         {"rubber",
          {rubber, {-4, -1, 4}, {rubber.contents(0.5, 0, 1), rubber.contents(1, 0, 0.2)}, {wall, LineEnd{}}},
@@ -71,7 +72,7 @@ TEST_CASE("godunov: skipping quiet cells leaves every bit as it is", "[property]
     const auto line = GENERATE(from_range(lines()));
     const auto order = GENERATE(std::string("first"), std::string("second"));
     const auto flux = GENERATE(std::string("hll"), std::string("hllc"));
-    const auto limiter = GENERATE(std::string("mc"), std::string("van_leer"), std::string("superbee"));
+    const auto limiter = GENERATE(std::string("mc"), std::string("superbee"), std::string("central"));
     INFO(line.name << ", " << order << ", " << flux << ", " << limiter);
     const Options options = options_from(
         line.scene.medium,
