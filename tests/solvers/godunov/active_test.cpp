@@ -135,7 +135,9 @@ TEST_CASE("godunov: stretches follow the places where neighbours differ", "[unit
     for (std::size_t i = 50; i < 54; ++i) q.set(i, one);
     active.follow(q);
     CHECK(total(active.stretches()) == 0);
-    for (std::size_t i : {0, 1}) q.set(i, {2, 0, 1});  // a ghost
+    q.set(0, {2, 0, 1});  // the outer ghosts, which the outer cells read
+    q.set(103, {2, 0, 1});
     active.follow(q);
     CHECK(active.stretches()[0] == Stretch{2, 4});
+    CHECK(active.stretches()[1] == Stretch{100, 102});
 }
