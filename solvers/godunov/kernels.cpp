@@ -6,6 +6,7 @@
 #include <span>
 
 #include "solvers/godunov/godunov.hpp"
+#include "solvers/instruction_set.hpp"
 
 namespace ordo::solvers::godunov {
 namespace {
@@ -36,8 +37,32 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// several at a time.
 double where_positive(double a, double b, double value) { return (a > 0) & (b > 0) ? value : nan; }
 
+/// loop(), made of the widest instructions that the machine has. All that a loop calls is inlined here, so that no
+/// function made of them is left for others to call. Contraction is off and every operation rounds by itself: the bits
+/// are the same with each.
+template <class Loop>
+[[gnu::flatten]] void baseline(Loop loop) {
+    loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx2")]] void avx2(Loop loop) {
+    loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx512f,avx512dq,prefer-vector-width=512")]] void avx512(Loop loop) {
+    loop();
+}
+template <class Loop>
+void run(Loop loop) {
+    switch (instruction_set()) {
+        case InstructionSet::avx512: return avx512(loop);
+        case InstructionSet::avx2: return avx2(loop);
+        case InstructionSet::baseline: return baseline(loop);
+    }
+}
+
 template <class M>
-[[gnu::flatten]] void measured(const M medium, Stretch stretch, Cells& cells) {
+void measured(const M medium, Stretch stretch, Cells& cells) {
 #pragma GCC ivdep
     for (std::size_t i = stretch.from; i < stretch.to; ++i) {
         const Flow f = medium.flow(cells.q[i]);
@@ -48,7 +73,7 @@ template <class M>
 }
 
 template <class M, class L>
-[[gnu::flatten]] void reconstructed(const M medium, L, double step_by_h, Stretch stretch, Cells& cells) {
+void reconstructed(const M medium, L, double step_by_h, Stretch stretch, Cells& cells) {
     const double ahead = 0.5 * step_by_h;
     const auto& rho = cells.q.mass;
     const auto& v = cells.v;
@@ -68,8 +93,7 @@ template <class M, class L>
 }
 
 template <class M, class F, class S>
-[[gnu::flatten]] void passed(const M medium, F, S, const Columns& before, const Columns& behind, Stretch faces,
-                             Columns& through) {
+void passed(const M medium, F, S, const Columns& before, const Columns& behind, Stretch faces, Columns& through) {
 #pragma GCC ivdep
     for (std::size_t i = faces.from; i < faces.to; ++i) {
         const Side l{before[i], medium.flow(before[i])};
@@ -105,7 +129,7 @@ Digest digest(std::span<const double> values) {
 }  // namespace
 
 void measure_cells(const Medium& medium, Stretch cells, Cells& row) {
-    std::visit([&](const auto& kind) { measured(kind, cells, row); }, medium);
+    std::visit([&](const auto& kind) { run([&] { measured(kind, cells, row); }); }, medium);
 }
 
 double fastest_of(std::span<const double> speeds) {
@@ -114,8 +138,8 @@ double fastest_of(std::span<const double> speeds) {
 }
 
 void reconstruct(const Medium& medium, const Limiter& limiter, double step_by_h, Stretch cells, Cells& row) {
-    std::visit([&](const auto& kind, auto limit) { reconstructed(kind, limit, step_by_h, cells, row); }, medium,
-               limiter);
+    std::visit([&](const auto& kind, auto limit) { run([&] { reconstructed(kind, limit, step_by_h, cells, row); }); },
+               medium, limiter);
 }
 
 void repair(const Medium& medium, Stretch cells, Cells& row) {
@@ -132,7 +156,7 @@ void repair(const Medium& medium, Stretch cells, Cells& row) {
 bool pass_faces(const Medium& medium, const Options& options, const Columns& before, const Columns& behind,
                 Stretch faces, Columns& through) {
     const auto pass = [&]<class M, class S>(const M& kind, auto solver, S estimate) {
-        if constexpr (Estimates<S, M>) passed(kind, solver, estimate, before, behind, faces, through);
+        if constexpr (Estimates<S, M>) run([&] { passed(kind, solver, estimate, before, behind, faces, through); });
         else throw std::logic_error("this estimate of wave speeds is not for that medium");
     };
     std::visit(pass, medium, options.riemann, options.speeds);
