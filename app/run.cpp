@@ -68,22 +68,24 @@ std::vector<Job> jobs_from(const po::variables_map& options, const std::vector<s
 }
 
 int code_of(const studies::Result& result) {
-    const auto broken = [](const studies::Run& run) {
-        return run.status == studies::Status::failed || run.status == studies::Status::timed_out;
+    const auto broken = [&](const studies::Run& run) {
+        return run.status == studies::Status::failed ||
+               (run.status == studies::Status::timed_out && !result.study.time_out_allowed);
     };
     if (std::any_of(result.runs.begin(), result.runs.end(), broken)) return run_broken;
     return result.verdict == studies::Verdict::fail ? gate_failed : all_hold;
 }
 
-int run_job(const Job& job, int threads) {
+int run_job(const Job& job, int threads, bool timed) {
     const double kernel_before = reports::reference_kernel_seconds();
     const auto begin = std::chrono::steady_clock::now();
     std::vector<studies::Run> runs;
     {
         ProgressLine line(job.study.name);
-        runs = studies::run_all(
-            job.study,
-            {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
+        studies::EngineOptions options{
+            .jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked};
+        if (timed) options.timing.emplace();
+        runs = studies::run_all(job.study, options);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
     reports::Report report{studies::judged(job.study, std::move(runs)),
@@ -95,14 +97,17 @@ int run_job(const Job& job, int threads) {
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& files) {
-    const int threads = options["jobs"].as<int>();
+    const bool timed = options["time"].as<bool>();
+    const int threads = timed ? 1 : options["jobs"].as<int>();
     if (threads < 1 || threads > 1024)
         throw InputError("ordo run --jobs", "is " + std::to_string(threads) + ", but must be in [1, 1024]");
+    if (timed && !options["jobs"].defaulted() && options["jobs"].as<int>() != 1)
+        throw InputError("ordo run --time", "times runs one at a time (nearest: --jobs 1)");
     const auto jobs = jobs_from(options, files);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     int code = all_hold;
-    for (const auto& job : jobs) code = std::max(code, run_job(job, threads));
+    for (const auto& job : jobs) code = std::max(code, run_job(job, threads, timed));
     return code;
 }
 
@@ -117,12 +122,15 @@ Command run_command() {
          "where the report goes; a folder if it ends with '/' (default ordo-reports/<study>.json)")
         ("jobs,j", po::value<int>()->value_name("N")->default_value(cores),
          "runs at a time; the results are the same for any number")
+        ("time", po::bool_switch(),
+         "time each run: alone, after a warm-up, again until the spread of the median is below 2 % (5 to 25 samples), or "
+         "1 s is used")
         ("set", po::value<std::vector<std::string>>()->value_name("path=value"),
          "change one member of the study, for instance sweep.cells=4,8,16; may be repeated");
     // clang-format on
     return {.name = "run",
             .about = "run studies, write their reports, print their tables",
-            .usage = "STUDY... [-o REPORT] [--jobs N] [--set path=value]...",
+            .usage = "STUDY... [-o REPORT] [--jobs N] [--time] [--set path=value]...",
             .examples = {"ordo run studies/wobbes_tielen_2015/vibrating_bar.json",
                          "ordo run studies/wobbes_tielen_2015/vibrating_bar_dt.json -o dt.json --set sweep.ppc=6"},
             .options = options,

@@ -1,4 +1,5 @@
 // A report as JSON and back.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -107,31 +108,40 @@ Json match_json(const studies::PublishedMatch& match) {
             {"judged", match.judged}};
 }
 
-Json provenance_json(const Report& report) {
-    const Provenance& from = report.provenance;
-    Json seconds = Json::array();
-    for (const auto& run : report.result.runs) seconds.push_back(number(run.seconds));
-    return {{"time_utc", from.time_utc},
-            {"ordo_version", from.ordo_version},
-            {"revision", from.revision},
-            {"compiler", from.compiler},
-            {"flags", from.flags},
-            {"build_type", from.build_type},
-            {"libraries", from.libraries},
-            {"cpu", from.cpu},
-            {"cores", from.cores},
-            {"os", from.os},
-            {"jobs", from.jobs},
-            {"seconds", number(from.seconds)},
-            {"run_seconds", std::move(seconds)},
-            {"kernel_seconds", number(from.kernel_seconds)}};
-}
-
 template <class T, class F>
 Json list(const std::vector<T>& items, F&& as_json) {
     Json array = Json::array();
     for (const auto& item : items) array.push_back(as_json(item));
     return array;
+}
+
+bool is_timed(const studies::Run& run) { return run.repeats.has_value(); }
+Json spread_json(const studies::Run& run) { return run.repeats ? number(run.repeats->spread) : Json(nullptr); }
+Json repetitions_json(const studies::Run& run) { return run.repeats ? run.repeats->number : 1; }
+
+Json provenance_json(const Report& report) {
+    const Provenance& from = report.provenance;
+    Json seconds = Json::array();
+    for (const auto& run : report.result.runs) seconds.push_back(number(run.seconds));
+    Json json{{"time_utc", from.time_utc},
+              {"ordo_version", from.ordo_version},
+              {"revision", from.revision},
+              {"compiler", from.compiler},
+              {"flags", from.flags},
+              {"build_type", from.build_type},
+              {"libraries", from.libraries},
+              {"cpu", from.cpu},
+              {"cores", from.cores},
+              {"os", from.os},
+              {"jobs", from.jobs},
+              {"seconds", number(from.seconds)},
+              {"run_seconds", std::move(seconds)},
+              {"kernel_seconds", number(from.kernel_seconds)}};
+    if (std::ranges::any_of(report.result.runs, is_timed)) {
+        json["run_spreads"] = list(report.result.runs, spread_json);
+        json["run_repetitions"] = list(report.result.runs, repetitions_json);
+    }
+    return json;
 }
 
 double number_or_nan(const Node& node) { return node.json().is_null() ? std::nan("") : node.number(); }
@@ -176,9 +186,20 @@ studies::Run run_from(const Node& node) {
     return run;
 }
 
+/// How often each run was repeated, and the spread; empty where runs were not timed by themselves.
+std::vector<studies::Repeats> repeats_from(const Node& provenance) {
+    if (!provenance.has("run_repetitions") || !provenance.has("run_spreads")) return {};
+    const auto numbers = entries(provenance.at("run_repetitions"));
+    const auto spreads = entries(provenance.at("run_spreads"));
+    if (numbers.size() != spreads.size()) provenance.at("run_spreads").refuse("must be as long as run_repetitions");
+    std::vector<studies::Repeats> repeats;
+    for (std::size_t i = 0; i < numbers.size(); ++i) repeats.push_back({whole(numbers[i]), number_or_nan(spreads[i])});
+    return repeats;
+}
+
 Provenance provenance_from(const Node& node) {
     node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores",
-               "os", "jobs", "seconds", "run_seconds", "kernel_seconds"});
+               "os", "jobs", "seconds", "run_seconds", "run_spreads", "run_repetitions", "kernel_seconds"});
     return {.time_utc = node.at("time_utc").text(),
             .ordo_version = node.at("ordo_version").text(),
             .revision = node.at("revision").text(),
@@ -223,6 +244,7 @@ Report report_from_json(const std::string& text, const std::string& where) {
     const auto study = studies::study_from_text(root.at("study").json().dump(), where + ": /study", "");
     const auto provenance = root.at("provenance");
     const auto seconds = entries(provenance.at("run_seconds"));
+    const auto repeats = repeats_from(provenance);
     std::vector<studies::Run> runs;
     for (const auto& item : entries(root.at("runs"))) {
         runs.push_back(run_from(item));
@@ -230,6 +252,7 @@ Report report_from_json(const std::string& text, const std::string& where) {
             item.at("run").refuse("must be the place of the run in the list");
         const bool timed = runs.size() <= seconds.size();
         runs.back().seconds = timed ? number_or_nan(seconds[runs.size() - 1]) : std::nan("");
+        if (runs.size() <= repeats.size()) runs.back().repeats = repeats[runs.size() - 1];
     }
     return {studies::judged(study, std::move(runs)), provenance_from(provenance)};
 }

@@ -188,7 +188,9 @@ Layout layout_of(const Result& result, const View& view) {
 }
 
 Layout layout_of(std::vector<Curve> curves) {
-    Layout layout{.curves = std::move(curves), .triangles = {}, .x = {}, .y = {}, .solid = true};
+    Layout layout;
+    layout.curves = std::move(curves);
+    layout.solid = true;
     const auto segments = segments_of(layout.curves);
     layout.empty = segments.empty();
     set_ranges(layout, box_of(segments));

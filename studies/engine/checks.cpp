@@ -155,7 +155,8 @@ Check ends_check(const Result& result) {
     const auto [missing, repeated, off_plan] = misplaced(result);
     const auto ended = [&](Status status) { return std::ranges::count(result.runs, status, &Run::status); };
     const auto blown_up = ended(Status::diverged);
-    const auto broken = ended(Status::failed) + ended(Status::timed_out);
+    const auto late = ended(Status::timed_out);
+    const auto broken = ended(Status::failed) + (result.study.time_out_allowed ? 0 : late);
     Check check{"every planned run ends", "all runs", "rule of the house", Verdict::pass, ""};
     if (blown_up > 0 && !result.study.diverged_allowed) check.fault = Fault::run_diverged;
     if (broken > 0) check.fault = Fault::run_failed;
@@ -167,8 +168,9 @@ Check ends_check(const Result& result) {
     if (result.runs.empty()) check.fault = Fault::nothing_measured;
     if (check.fault != Fault::none) check.verdict = Verdict::fail;
     check.found =
-        fmt::format("{} runs, {} diverged{}, {} failed, {} missing, {} repeated or not planned, {} off their plan{}",
-                    result.runs.size(), blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken, missing,
+        fmt::format("{} runs, {} diverged{}, {} failed{}, {} missing, {} repeated or not planned, {} off their plan{}",
+                    result.runs.size(), blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken,
+                    result.study.time_out_allowed ? fmt::format(", {} timed out (allowed)", late) : "", missing,
                     repeated, off_plan, unmeasured == Fault::none ? "" : "; " + text_of(unmeasured));
     return check;
 }

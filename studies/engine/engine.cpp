@@ -5,6 +5,9 @@
 #include <boost/asio/thread_pool.hpp>
 #include <mutex>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "studies/engine/judge.hpp"
@@ -45,23 +48,56 @@ private:
     double done_ = 0;
 };
 
-/// Every run on a pool, the most expensive first; outcomes stand by the place of their spec, whoever made them.
-std::vector<RunOutcome> outcomes_of(const std::vector<RunSpec>& specs, const EngineOptions& options, bool keep) {
-    std::vector<RunOutcome> outcomes(specs.size());
+/// The most expensive first, so that threads end together; to be timed, the cheapest first.
+std::vector<std::size_t> order_of(const std::vector<RunSpec>& specs, bool timed) {
     std::vector<std::size_t> order(specs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return specs[a].cost > specs[b].cost; });
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) {
+        return timed ? specs[a].cost < specs[b].cost : specs[a].cost > specs[b].cost;
+    });
+    return order;
+}
+
+/// Runs one after the other, each timed, until one of the same solver has passed the time limit.
+class Timer {
+public:
+    explicit Timer(const TimingRule& rule) : rule_(rule) {}
+
+    RunOutcome operator()(const RunSpec& spec, const std::function<bool()>& stop) {
+        RunOutcome outcome;
+        if (late_.contains(spec.solver.label)) {
+            outcome.run = planned_run(spec);
+            outcome.run.status = Status::timed_out;
+            outcome.run.reason = "not run: one of less work has passed its time limit";
+            return outcome;
+        }
+        outcome = executed(spec, stop);
+        if (outcome.run.status == Status::timed_out) late_.insert(spec.solver.label);
+        time_again(spec, outcome, rule_, stop);
+        return outcome;
+    }
+
+private:
+    TimingRule rule_;
+    std::set<std::string> late_;  ///< labels of solvers
+};
+
+/// Every run on a pool; outcomes stand by the place of their spec, whoever made them.
+std::vector<RunOutcome> outcomes_of(const std::vector<RunSpec>& specs, const EngineOptions& options, bool keep) {
+    std::vector<RunOutcome> outcomes(specs.size());
     const auto stop = [&] {
         return options.interrupted != nullptr && options.interrupted->load(std::memory_order_relaxed);
     };
     Counter counter(options, specs);
-    boost::asio::thread_pool pool(static_cast<std::size_t>(options.jobs));
-    for (const std::size_t i : order) {
+    std::optional<Timer> timer;
+    if (options.timing) timer.emplace(*options.timing);
+    boost::asio::thread_pool pool(timer ? 1 : static_cast<std::size_t>(options.jobs));
+    for (const std::size_t i : order_of(specs, timer.has_value())) {
         boost::asio::post(pool, [&, i] {
             if (stop()) return;
             counter.begins();
             try {
-                outcomes[i] = executed(specs[i], stop);
+                outcomes[i] = timer ? (*timer)(specs[i], stop) : executed(specs[i], stop);
             } catch (const solvers::Interrupted&) {
                 return;
             }

@@ -2,8 +2,10 @@
 // The engine: from a study to its runs.
 #include <atomic>
 #include <functional>
+#include <optional>
 
 #include "studies/engine/result.hpp"
+#include "studies/engine/timing.hpp"
 
 namespace ordo::studies {
 
@@ -20,6 +22,9 @@ struct EngineOptions {
     int jobs = 1;                                    ///< worker threads
     std::function<void(const Progress&)> progress;   ///< may be empty
     const std::atomic<bool>* interrupted = nullptr;  ///< set from outside to stop between two steps
+    /// Runs are then timed by repetition, one at a time whatever `jobs` says, the cheapest first; where one passes its
+    /// time limit, dearer ones of its solver are not run.
+    std::optional<TimingRule> timing = {};
 };
 
 /// Thrown when `interrupted` was set; nothing of the study is kept.

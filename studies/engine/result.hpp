@@ -1,5 +1,7 @@
 #pragma once
 // What came of a study: plain values only. Reports, tables, plots and gates are made from this and nothing else.
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,13 @@ struct RunFigure {
     bool operator==(const RunFigure&) const = default;
 };
 
+/// Repetitions of a run that a median of times is of.
+struct Repeats {
+    int number = 1;
+    double spread =
+        std::numeric_limits<double>::quiet_NaN();  ///< median absolute deviation over the median; NaN for one
+};
+
 /// One solver at one resolution.
 struct Run {
     int id = 0;
@@ -37,6 +46,7 @@ struct Run {
     std::vector<RunFigure> work;
     std::vector<RunFigure> skipped;  ///< work that it did not have to do, and its share of the whole
     double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
+    std::optional<Repeats> repeats = {};  ///< where `seconds` is the median of a run that was timed by itself
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none
     /// The same, or what it counted, or one over either: "delta", "chop_outs", "1/ppc"; NaN when it has none.

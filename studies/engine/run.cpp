@@ -2,18 +2,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "studies/engine/measure.hpp"
+#include "studies/engine/thread_time.hpp"
 
 namespace ordo::studies {
 namespace {
-
-double thread_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Adds the thread time of its own life to `seconds`.
 struct Timed {
@@ -23,13 +17,15 @@ struct Timed {
     ~Timed() { seconds += thread_seconds() - begin; }
 };
 
-/// True once the study is interrupted or the run has used up its time; `late` tells the second.
+/// True once the study is interrupted or the run has used up its thread time; `late` tells the second. Thread time is
+/// never ahead of the wall's, whose clock costs less to read between two steps.
 solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, bool& late) {
     if (!spec.timeout_s) return stop;
     using clock = std::chrono::steady_clock;
     const auto limit = clock::now() + std::chrono::duration<double>(*spec.timeout_s);
-    return [&stop, &late, limit] {
-        late = clock::now() > limit;
+    const double thread_limit = thread_seconds() + *spec.timeout_s;
+    return [&stop, &late, limit, thread_limit] {
+        late = clock::now() > limit && thread_seconds() > thread_limit;
         return late || stop();
     };
 }
@@ -114,15 +110,20 @@ double step_taken(const RunSpec& spec) {
     return spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
 }
 
-RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
-    RunOutcome outcome;
-    Run& run = outcome.run;
+Run planned_run(const RunSpec& spec) {
+    Run run;
     run.id = spec.id;
     run.solver = spec.solver.label;
     run.axes = spec.axes;
     run.h = spec.plan.h;
     run.dt = step_taken(spec);
     run.t = spec.t_end;
+    return run;
+}
+
+RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
+    RunOutcome outcome{planned_run(spec), {}};
+    Run& run = outcome.run;
     bool late = false;
     const auto ends = [&](Status status, const std::string& reason) {
         run.status = status;

@@ -124,7 +124,8 @@ Study study_from(Json document, const std::string& where, const std::string& fol
     if (root.has("expect")) study.expect = expectations_from(root.at("expect"), study);
     if (root.has("published")) study.published = published_from(root.at("published"), study);
     if (root.has("allow")) {
-        for (const auto& item : root.at("allow").items()) study.diverged_allowed = item.one_of({"diverged"}) == 0;
+        for (const auto& item : root.at("allow").items())
+            (item.one_of({"diverged", "timed_out"}) == 0 ? study.diverged_allowed : study.time_out_allowed) = true;
     }
     if (root.has("timeout_s")) {
         study.timeout_s = root.at("timeout_s").number();
