@@ -12,7 +12,7 @@
 namespace ordo::reports {
 namespace {
 
-constexpr std::size_t across = 3;
+constexpr std::size_t most_across = 3;
 constexpr int panel_height = 260;  // px
 constexpr int heading_height = 50;
 constexpr double least_error = 1e-10;
@@ -53,7 +53,7 @@ bool drawable(const Method& method) {
 }
 
 std::string style_of(std::size_t k) {
-    return fmt::format("linewidth 1.2 linecolor '{}' pointtype {} pointsize 0.5", colours[k % colours.size()],
+    return fmt::format("linewidth 1.2 linecolor '{}' pointtype {} pointsize 0.7", colours[k % colours.size()],
                        shapes[(k / colours.size() + k) % shapes.size()]);
 }
 
@@ -103,8 +103,10 @@ Board board_of(const std::vector<Report>& reports, Cost cost) {
 }
 
 std::string script_of(const Board& board, PlotFormat format, const std::string& picture) {
+    const std::size_t across = std::min(most_across, board.panels.size());
     const std::size_t down = (board.panels.size() + across - 1) / across;
-    const int legend_height = 30 + 20 * static_cast<int>((board.labels.size() + 3) / 4);
+    const int rows = static_cast<int>((board.labels.size() + 3) / 4);
+    const int legend_height = 20 + 20 * rows;
     const int height = heading_height + static_cast<int>(down) * panel_height + legend_height;
     std::string text = opening(format, height, picture) + data_of(board);
     text +=
@@ -115,9 +117,9 @@ std::string script_of(const Board& board, PlotFormat format, const std::string& 
     text += fmt::format("set label 2 {} at screen 0.5,{:.4f} center noenhanced font ',10'\n", quoted(board.abscissa),
                         (legend_height + 10.0) / height);
     text += fmt::format(
-        "set key at screen 0.04,{:.4f} left bottom horizontal maxcols 4 Left reverse noenhanced samplen 2 "
-        "width 3 font ',10'\n",
-        6.0 / height);
+        "set key at screen 0.03,{:.4f} left bottom vertical maxrows {} Left reverse noenhanced samplen 2 spacing 1.1 "
+        "font ',10'\n",
+        6.0 / height, rows);
     text += fmt::format(
         "set logscale xy\nset format xy '10^{{%T}}'\nset yrange [{}:*]\nset tics font ',8'\n"
         "set xtics 100\nset ytics 100\nset grid linetype 1 linecolor '#dddddd' linewidth 0.6\n",

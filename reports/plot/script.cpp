@@ -172,7 +172,8 @@ void add_marks(std::vector<std::string>& plots, const Layout& layout) {
             "$reached using 1:2 with points pointtype 1 pointsize 1.2 linewidth 1.2 linecolor '#000000' "
             "notitle");
     for (const auto& remark : layout.remarks)
-        plots.push_back("keyentry with points pointtype -1 title " + quoted(clipped(remark, widest_legend)));
+        plots.push_back("keyentry with lines linewidth 0.1 linecolor '#ffffff' title " +
+                        quoted(clipped(remark, widest_legend)));
 }
 
 std::string plot_command(const Layout& layout) {

@@ -61,10 +61,11 @@ void set_times(Run& run, const std::vector<double>& samples) {
 TimeStatistics statistics_of(std::vector<double> samples) {
     if (samples.empty()) throw std::logic_error("no samples of a time");
     const double median = boost::math::statistics::median(samples);
-    const double spread = samples.size() < 2
-                              ? std::nan("")
-                              : boost::math::statistics::median_absolute_deviation(samples, median) / median;
-    return {median, spread, static_cast<int>(samples.size())};
+    const int count = static_cast<int>(samples.size());
+    if (count < 2) return {median, std::nan(""), count};
+    // Boost 1.74's own median_absolute_deviation leaves out the subtraction of the centre.
+    for (double& sample : samples) sample = std::abs(sample - median);
+    return {median, boost::math::statistics::median(samples) / median, count};
 }
 
 void time_again(const RunSpec& spec, RunOutcome& outcome, const TimingRule& rule, const std::function<bool()>& stop,

@@ -20,7 +20,8 @@ TEST_CASE("leaderboard: one label is one method, in all of its studies", "[unit]
         CHECK(study.diverged_allowed);
         CHECK(study.time_out_allowed);
         CHECK(study.measure.quantities.size() == 1);
-        for (const auto& solver : Json::parse(study.document).at("solvers")) {
+        const Json document = Json::parse(study.document);
+        for (const auto& solver : document.at("solvers")) {
             INFO(file.path() << ": " << solver);
             const auto [known, fresh] = seen.emplace(solver.at("label"), solver.dump());
             CHECK(known->second == solver.dump());
