@@ -45,6 +45,9 @@ std::vector<RunSpec> specs_of(const Study& study);
 /// Runs it. Blowing up, throwing and passing the time limit are results; only `stop` ends it by Interrupted.
 RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts = house_parts());
 
+/// The run as it is planned: all that is known of it before it begins.
+Run planned_run(const RunSpec& spec);
+
 /// The step that the run takes: the planned one, or the longest below it that ends exactly at t_end [s].
 double step_taken(const RunSpec& spec);
 
