@@ -7,7 +7,7 @@ _ordo() {
     fi
     case "${COMP_WORDS[1]}" in
         list) words="--help scenes solvers oracles norms studies schema" ;;
-        run) words="--help --out --jobs --time --set" ;;
+        run) words="--help --out --jobs --time --set --no-cache --why-not-cached --verbose" ;;
         check) words="--help --against --times --verbose --junit --annotations --summary" ;;
         accept) words="--help --because --into" ;;
         history) words="--help --format" ;;

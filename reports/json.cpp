@@ -108,6 +108,15 @@ Json match_json(const studies::PublishedMatch& match) {
             {"judged", match.judged}};
 }
 
+/// Ids of the runs whose figures come from there.
+Json runs_of(const studies::Result& result, studies::Origin origin) {
+    Json ids = Json::array();
+    for (const auto& run : result.runs) {
+        if (run.origin == origin) ids.push_back(run.id);
+    }
+    return ids;
+}
+
 template <class T, class F>
 Json list(const std::vector<T>& items, F&& as_json) {
     Json array = Json::array();
@@ -136,6 +145,8 @@ Json provenance_json(const Report& report) {
               {"jobs", from.jobs},
               {"seconds", number(from.seconds)},
               {"run_seconds", std::move(seconds)},
+              {"cached", runs_of(report.result, studies::Origin::cached)},
+              {"shared", runs_of(report.result, studies::Origin::shared)},
               {"kernel_seconds", number(from.kernel_seconds)}};
     if (std::ranges::any_of(report.result.runs, is_timed)) {
         json["run_spreads"] = list(report.result.runs, spread_json);
@@ -176,8 +187,8 @@ studies::Run run_from(const Node& node) {
     run.h = number_or_nan(node.at("h"));
     run.dt = number_or_nan(node.at("dt"));
     run.t = number_or_nan(node.at("t"));
-    run.status =
-        static_cast<studies::Status>(node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out"}));
+    run.status = static_cast<studies::Status>(
+        node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out", "skipped"}));
     run.reason = node.at("reason").text();
     run.errors = figures_from(node.at("errors"));
     run.drift = figures_from(node.at("drift"));
@@ -199,7 +210,8 @@ std::vector<studies::Repeats> repeats_from(const Node& provenance) {
 
 Provenance provenance_from(const Node& node) {
     node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores",
-               "os", "jobs", "seconds", "run_seconds", "run_spreads", "run_repetitions", "kernel_seconds"});
+               "os", "jobs", "seconds", "run_seconds", "run_spreads", "run_repetitions", "cached", "shared",
+               "kernel_seconds"});
     return {.time_utc = node.at("time_utc").text(),
             .ordo_version = node.at("ordo_version").text(),
             .revision = node.at("revision").text(),
@@ -213,6 +225,16 @@ Provenance provenance_from(const Node& node) {
             .jobs = whole(node.at("jobs")),
             .seconds = number_or_nan(node.at("seconds")),
             .kernel_seconds = node.has("kernel_seconds") ? number_or_nan(node.at("kernel_seconds")) : std::nan("")};
+}
+
+/// Says of the runs of that list where they come from; reports of an earlier time have no such list.
+void mark(std::vector<studies::Run>& runs, const Node& provenance, const char* list, studies::Origin origin) {
+    if (!provenance.has(list)) return;
+    for (const auto& item : entries(provenance.at(list))) {
+        const int id = whole(item);
+        if (id < 0 || static_cast<std::size_t>(id) >= runs.size()) item.refuse("is no run");
+        runs[static_cast<std::size_t>(id)].origin = origin;
+    }
 }
 
 }  // namespace
@@ -254,6 +276,8 @@ Report report_from_json(const std::string& text, const std::string& where) {
         runs.back().seconds = timed ? number_or_nan(seconds[runs.size() - 1]) : std::nan("");
         if (runs.size() <= repeats.size()) runs.back().repeats = repeats[runs.size() - 1];
     }
+    mark(runs, provenance, "cached", studies::Origin::cached);
+    mark(runs, provenance, "shared", studies::Origin::shared);
     return {studies::judged(study, std::move(runs)), provenance_from(provenance)};
 }
 

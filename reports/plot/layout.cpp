@@ -173,6 +173,7 @@ std::string missing_words(const Result& result, const Series& series, const std:
     return counted(with(Status::diverged), "run", "runs", "diverged") +
            counted(with(Status::failed), "run", "runs", "failed") +
            counted(with(Status::timed_out), "run", "runs", "timed out") +
+           counted(with(Status::skipped), "level", "levels", "skipped") +
            counted(off_the_axes, "error", "errors", "zero or not finite");
 }
 

@@ -94,4 +94,18 @@ void time_again(const RunSpec& spec, RunOutcome& outcome, const TimingRule& rule
     set_times(run, samples);
 }
 
+RunOutcome Timer::operator()(const RunSpec& spec, const std::function<bool()>& stop) {
+    RunOutcome outcome;
+    if (late_.contains(spec.solver.label)) {
+        outcome.run = planned_run(spec);
+        outcome.run.status = Status::timed_out;
+        outcome.run.reason = "not run: one of less work has passed its time limit";
+        return outcome;
+    }
+    outcome = executed(spec, stop);
+    if (outcome.run.status == Status::timed_out) late_.insert(spec.solver.label);
+    time_again(spec, outcome, rule_, stop);
+    return outcome;
+}
+
 }  // namespace ordo::studies

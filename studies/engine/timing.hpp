@@ -1,5 +1,7 @@
 #pragma once
 // Run times as statistics: a run that came to its end, repeated until its median is well known.
+#include <set>
+#include <string>
 #include <vector>
 
 #include "studies/engine/run.hpp"
@@ -30,5 +32,17 @@ TimeStatistics statistics_of(std::vector<double> samples);
 /// makes the run a failed one. `stop` ends it by Interrupted.
 void time_again(const RunSpec& spec, RunOutcome& outcome, const TimingRule& rule, const std::function<bool()>& stop,
                 const Parts& parts = house_parts());
+
+/// Runs one after the other, each timed, until one of the same solver has passed the time limit.
+class Timer {
+public:
+    explicit Timer(const TimingRule& rule) : rule_(rule) {}
+
+    RunOutcome operator()(const RunSpec& spec, const std::function<bool()>& stop);
+
+private:
+    TimingRule rule_;
+    std::set<std::string> late_;  ///< labels of solvers
+};
 
 }  // namespace ordo::studies

@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> may_use{
     {"solvers", {"Eigen/"}},
     {"oracles", {"boost/math/", "gsl/"}},
     {"studies", {"nlohmann/", "fmt/", "boost/math/", "boost/asio/", "Eigen/", "unsupported/Eigen/"}},
-    {"reports", {"nlohmann/", "fmt/", "boost/math/", "POSIX"}},
+    {"reports", {"nlohmann/", "fmt/", "boost/math/", "xxhash.h", "POSIX"}},
     {"app", {"boost/program_options", "nlohmann/", "fmt/", "POSIX"}},
 };
 
