@@ -38,6 +38,12 @@ struct Figure {
     double value = 0;
 };
 
+/// Work that a run did not have to do: what, and its share of the whole.
+struct Skipped {
+    std::string what;
+    double share = 0;
+};
+
 /// Thrown by a simulation that cannot go on: a result, not a fault of the program.
 struct Diverged : std::runtime_error {
     using std::runtime_error::runtime_error;
@@ -58,6 +64,7 @@ public:
     virtual Snapshot snapshot() const = 0;
     virtual std::vector<Figure> work() const = 0;   ///< counted work so far: the same on every machine
     virtual std::vector<Figure> drift() const = 0;  ///< relative defects of the conserved quantities so far
+    virtual std::vector<Skipped> skipped() const { return {}; }
 };
 
 /// What a start will do, known before it runs: mesh width [m], or whatever else Solver::width says that it refines;

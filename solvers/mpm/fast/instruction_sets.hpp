@@ -1,0 +1,19 @@
+#pragma once
+// One source an instruction set, all from the same templates; chosen when the program runs.
+#include "solvers/mpm/fast/sweep.hpp"
+
+namespace ordo::solvers::mpm::fast {
+
+template <int dim>
+Kernels<dim> avx512_kernels(int degree, bool total);
+template <int dim>
+Kernels<dim> avx2_kernels(int degree, bool total);
+template <int dim>
+Kernels<dim> baseline_kernels(int degree, bool total);
+
+/// Those of the widest set that this machine has; the environment variable ORDO_SIMD (baseline, avx2, avx512) chooses
+/// another. The bits of a run are the same with each. Throws InputError on another word and on a set that it lacks.
+template <int dim>
+Kernels<dim> kernels(int degree, bool total);
+
+}  // namespace ordo::solvers::mpm::fast
