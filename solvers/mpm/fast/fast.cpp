@@ -13,7 +13,7 @@ bool serves(const SolidScene<dim>& scene, const Options& o) {
     const bool rates = std::holds_alternative<LogarithmicLaw>(scene.law) ||
                        std::holds_alternative<ReciprocalLaw>(scene.law) ||
                        std::holds_alternative<NominalLaw>(scene.law);
-    const bool basis = o.basis == Basis::linear || o.basis == Basis::quadratic;
+    const bool basis = o.basis == Basis::linear || (o.basis == Basis::quadratic && dim < 3);
     const bool plain = o.mass == Mass::lumped && o.transfer == Transfer::flip &&
                        o.reconstruction == Reconstruction::none && o.beyond_grid == BeyondGrid::extend;
     const bool forces = !o.stress_from_F && !o.last_particle_loaded && o.body_force != BodyForce::nodes &&

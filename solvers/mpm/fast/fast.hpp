@@ -48,6 +48,11 @@ private:
         Seat by;
     };
 
+    struct Leaver {
+        Seat from;
+        Cell<dim> to;
+    };
+
     // the passes
     void begin();
     void sweep(Pass pass, double kick, double dt);
@@ -62,8 +67,10 @@ private:
     // who is where, in places.cpp
     double place(Seat seat, int axis) const;  ///< as kernels find it, xi [-]
     Vec<dim> where(Seat seat) const;          ///< x [m]
+    void enter_leaver(const Leaver& leaver);
     void move_leavers(Pass pass);
-    void share_out(Seat seat, Pass pass);
+    template <int degree>
+    void share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& xi, Pass pass);
     void arrange();
     void mark_swept();
     void list_runs();
@@ -97,7 +104,7 @@ private:
     std::vector<int> order_;                             ///< of the blocks that are swept
     std::vector<long> runs_;                             ///< of the nodes that they touch
     std::vector<unsigned char> near_, seen_, seen_row_;  ///< marks of blocks, of runs of nodes, along a line
-    std::vector<Seat> leavers_;
+    std::vector<Leaver> leavers_;
     std::vector<Touch> touches_;
     std::vector<Vec<dim>> b_;  ///< [m/s^2]; entry 0 for lanes without particle
     Vec<dim> load_ = Vec<dim>::Zero();

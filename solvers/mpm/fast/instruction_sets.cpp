@@ -6,9 +6,6 @@
 #include "core/error.hpp"
 
 namespace ordo::solvers::mpm::fast {
-namespace {
-
-enum class Set { baseline, avx2, avx512 };
 
 bool has(Set set) {
     switch (set) {
@@ -20,7 +17,7 @@ bool has(Set set) {
     }
 }
 
-Set chosen() {
+Set chosen_set() {
     const char* word = std::getenv("ORDO_SIMD");
     if (word == nullptr) return has(Set::avx512) ? Set::avx512 : has(Set::avx2) ? Set::avx2 : Set::baseline;
     const std::string name = word;
@@ -31,12 +28,9 @@ Set chosen() {
     return set;
 }
 
-}  // namespace
-
 template <int dim>
 Kernels<dim> kernels(int degree, bool total) {
-    static const Set set = chosen();
-    switch (set) {
+    switch (chosen_set()) {
         case Set::avx512: return avx512_kernels<dim>(degree, total);
         case Set::avx2: return avx2_kernels<dim>(degree, total);
         default: return baseline_kernels<dim>(degree, total);

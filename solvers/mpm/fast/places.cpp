@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/mpm/basis/tensor.hpp"
 #include "solvers/mpm/fast/fast.hpp"
+#include "solvers/mpm/fast/slot.hpp"
 
 namespace ordo::solvers::mpm::fast {
 
@@ -56,22 +56,28 @@ void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsign
         Cell<dim> cell = before;
         Vec<dim> local;
         if (!grid_.locate(x, cell, local)) lost_ = std::min(lost_, p);
-        if (cell == before) {
-            for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = place(seat, axis);
+        const bool stays = cell == before;
+        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? place(seat, axis) : 0.5;
+        if (stays) {
             block.near = true;
             on_face_ = on_face_ || on_face(seat);
-            continue;
+        } else {
+            keep[l] = 0;
+            enter_leaver({seat, cell});
         }
-        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = 0.5;
-        keep[l] = 0;
-        // By rank and lane within the block, as the widest set of instructions meets them.
-        const auto order = [&](Seat s) { return slots_.rank(s.slot) * lanes + s.lane; };
-        leavers_.push_back(seat);
-        for (std::size_t k = leavers_.size() - 1; k > 0; --k) {
-            if (slots_.block_of(leavers_[k - 1].slot) != slots_.block_of(slot)) break;
-            if (order(leavers_[k - 1]) < order(leavers_[k])) break;
-            std::swap(leavers_[k - 1], leavers_[k]);
-        }
+    }
+}
+
+/// In the order of blocks, ranks and lanes, in which the widest set of instructions meets them.
+template <int dim>
+void FastMpm<dim>::enter_leaver(const Leaver& leaver) {
+    const auto order = [&](Seat s) { return slots_.rank(s.slot) * lanes + s.lane; };
+    const int block = slots_.block_of(leaver.from.slot);
+    leavers_.push_back(leaver);
+    for (std::size_t k = leavers_.size() - 1; k > 0; --k) {
+        const Seat before = leavers_[k - 1].from;
+        if (slots_.block_of(before.slot) != block || order(before) < order(leaver.from)) break;
+        std::swap(leavers_[k - 1], leavers_[k]);
     }
 }
 
@@ -84,76 +90,85 @@ void settle(const Sweep<dim>& sweep, Block& block, int slot, int lane, unsigned 
 /// From the last to the first, so that a seat that is filled up is filled by one that stays.
 template <int dim>
 void FastMpm<dim>::move_leavers(Pass pass) {
+    const bool quadratic = grid_.degree == 2;
+    crossings_ += static_cast<long>(leavers_.size());
     for (; !leavers_.empty(); leavers_.pop_back()) {
-        const Seat from = leavers_.back();
-        Cell<dim> cell = slots_.cell(from);
-        Vec<dim> xi;
-        if (!grid_.locate(where(from), cell, xi)) continue;
-        ++crossings_;
+        const auto& [from, cell] = leavers_.back();
         Block& left = slots_.blocks()[static_cast<std::size_t>(slots_.block_of(from.slot))];
         Block& entered = slots_.blocks()[static_cast<std::size_t>(slots_.block_at(cell))];
         missed_ = missed_ || (!entered.swept && entered.first >= 0);
         dirty_ = dirty_ || !entered.swept || !entered.awake;
         entered.awake = true;
-        entered.near = true;
         const Seat seat = slots_.move(from, cell);
         dirty_ = dirty_ || left.first < 0;
-        on_face_ = on_face_ || on_face(seat);
-        share_out(seat, pass);
+        Vec<dim> xi;
+        for (int axis = 0; axis < dim; ++axis) xi[axis] = place(seat, axis);
+        if (!(xi.minCoeff() >= beside && xi.maxCoeff() <= 1 - beside)) {
+            entered.near = true;
+            on_face_ = on_face_ || on_face(seat);
+        }
+        if (quadratic) share_out<2>(seat, cell, xi, pass);
+        else share_out<1>(seat, cell, xi, pass);
     }
 }
 
-/// visit(node, w, h grad w) for the nodes that a particle touches.
-template <int dim>
-template <class Visit>
-void FastMpm<dim>::each_touched(Seat seat, Visit&& visit) const {
-    const auto with = [&]<int degree>(std::integral_constant<int, degree>) {
-        const Cell<dim> cell = slots_.cell(seat);
-        const auto along = [&](int axis) { return Spline<degree>(cell[axis], place(seat, axis), grid_.cells[axis]); };
-        const Spline<degree> splines[] = {along(0), along(dim > 1 ? 1 : 0), along(dim > 2 ? 2 : 0)};
-        constexpr int touched = dim == 1   ? degree + 1
-                                : dim == 2 ? (degree + 1) * (degree + 1)
-                                           : (degree + 1) * (degree + 1) * (degree + 1);
-        for (int k = 0; k < touched; ++k) {
-            long node = 0;
-            double w = 1;
-            Vec<dim> slope = Vec<dim>::Ones();
-            for (int axis = 0, rest = k; axis < dim; ++axis, rest /= degree + 1) {
-                const auto j = static_cast<std::size_t>(rest % (degree + 1));
-                const auto& spline = splines[axis];
-                node += (cell[axis] + static_cast<long>(j)) * slots_.row_of_nodes(axis);
-                w *= spline.value[j];
-                for (int c = 0; c < dim; ++c) slope[c] *= c == axis ? spline.slope[j] : spline.value[j];
-            }
-            visit(node, w, slope);
-        }
-    };
-    if (grid_.degree == 1) with(std::integral_constant<int, 1>{});
-    else with(std::integral_constant<int, 2>{});
-}
+namespace {
+
+/// One lane alone.
+struct One {
+    using V = double;
+    static double all(double x) { return x; }
+};
+
+}  // namespace
 
 /// What a particle that came after the sweep gives to the nodes.
 template <int dim>
-void FastMpm<dim>::share_out(Seat seat, Pass pass) {
+template <int degree>
+void FastMpm<dim>::share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& xi, Pass pass) {
     using R = Row<dim>;
-    const bool momentum = pass != Pass::follow;
-    const bool force = pass != Pass::kick_move;
-    const double m = slots_.at(seat, R::m);
-    const double share = slots_.at(seat, R::volume) * (1 / grid_.h);
-    Vec<dim> v;
-    Tensor<dim> pull;
-    for (int i = 0; i < dim; ++i) {
-        v[i] = slots_.at(seat, R::v + i);
-        pull(i, i) = share * slots_.at(seat, R::sigma + i);
-        for (int j = i + 1; j < dim; ++j) pull(i, j) = pull(j, i) = share * slots_.at(seat, R::sigma + dim + i + j - 1);
+    Along<One, degree> splines[dim];
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+        const double* end = ends_[axis].data() + cell[static_cast<int>(axis)];
+        const std::size_t n = ends_[axis].size() / 4;
+        fill<One, degree>(splines[axis], xi[static_cast<int>(axis)], {end[0], end[n], end[2 * n], end[3 * n]});
     }
-    each_touched(seat, [&](long node, double w, const Vec<dim>& slope) {
-        at(m_, node) += w * m;
-        for (int c = 0; c < dim; ++c) {
-            if (momentum) at(p_[static_cast<std::size_t>(c)], node) += w * m * v[c];
-            if (force) at(f_[static_cast<std::size_t>(c)], node) -= pull.row(c).dot(slope);
+    Sums<One, dim, degree> sums{};
+    double v[dim];
+    for (int c = 0; c < dim; ++c) v[c] = slots_.at(seat, R::v + c);
+    add_mass<dim - 1, true, true, One, dim, degree>(splines, slots_.at(seat, R::m), v, sums.m, sums.p, 0);
+    const double share = -slots_.at(seat, R::volume) * (1 / grid_.h);
+    for (int c = 0; c < dim; ++c) {
+        double t[dim];
+        for (int i = 0; i < dim; ++i) t[i] = share * slots_.at(seat, R::sigma + (i == c ? i : dim + i + c - 1));
+        add_force<dim - 1, false, One, dim, degree>(splines, 0.0, t, sums.f, c, 0);
+    }
+    long first = 0;
+    for (int axis = 0; axis < dim; ++axis) first += cell[axis] * slots_.row_of_nodes(axis);
+    for (int k = 0; k < Sums<One, dim, degree>::nodes; ++k) {
+        const int j = k / (degree + 1);
+        const long node = first + k % (degree + 1) + j % (degree + 1) * slots_.row_of_nodes(1) +
+                          j / (degree + 1) * slots_.row_of_nodes(2);
+        at(m_, node) += sums.m[k];
+        for (std::size_t c = 0; c < dim; ++c) {
+            if (pass != Pass::follow) at(p_[c], node) += sums.p[k][c];
+            if (pass != Pass::kick_move) at(f_[c], node) += sums.f[k][c];
         }
-    });
+    }
+}
+
+/// visit(node) for the nodes that a particle touches.
+template <int dim>
+template <class Visit>
+void FastMpm<dim>::each_touched(Seat seat, Visit&& visit) const {
+    const Cell<dim> cell = slots_.cell(seat);
+    const int count = grid_.degree + 1;
+    for (int k = 0; k < power(count, dim); ++k) {
+        long node = 0;
+        for (int axis = 0, rest = k; axis < dim; ++axis, rest /= count)
+            node += (cell[axis] + rest % count) * slots_.row_of_nodes(axis);
+        visit(node);
+    }
 }
 
 /// The blocks to sweep, and the nodes that they touch. Two blocks beyond those awake, so that the nodes of all that a
@@ -262,7 +277,7 @@ bool FastMpm<dim>::find_touches() {
     touches_.clear();
     slots_.each([&](Seat seat) {
         if (!on_face(seat)) return;
-        each_touched(seat, [&](long node, double, const Vec<dim>&) {
+        each_touched(seat, [&](long node) {
             if (!(at(m_, node) > 0)) touches_.push_back({node, seat});
         });
     });

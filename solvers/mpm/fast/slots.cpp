@@ -125,8 +125,11 @@ Seat Slots<dim>::seat_in(int block, int lane) {
         for (int k = 0; k < rank && slot >= 0; ++k) slot = next_[static_cast<std::size_t>(slot)];
         return slot;
     };
-    if (nth() < 0) append(block);
-    const int slot = nth();
+    int slot = nth();
+    if (slot < 0) {
+        append(block);
+        slot = nth();
+    }
     ++taken_[static_cast<std::size_t>(slot)];
     return {slot, lane};
 }
