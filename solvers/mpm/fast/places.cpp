@@ -171,7 +171,7 @@ void FastMpm<dim>::each_touched(Seat seat, Visit&& visit) const {
     }
 }
 
-/// The blocks to sweep, and the nodes that they touch. Two blocks beyond those awake, so that the nodes of all that a
+/// The blocks to sweep, and the nodes that they touch. So far beyond those awake that the nodes of all that a
 /// wave may reach in one step have all their mass.
 template <int dim>
 void FastMpm<dim>::arrange() {
@@ -197,7 +197,7 @@ void FastMpm<dim>::mark_swept() {
     int step = 1;
     for (int axis = 0; axis < dim; ++axis) {
         const int n = slots_.blocks_along(axis);
-        const int reach = axis == 0 ? 2 : 2 * grid_.degree;
+        const int reach = axis == 0 ? 2 : 3 * grid_.degree;
         // Along each line forth and back: how far the last awake block lies behind.
         for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
             if (b / step % n != 0) continue;
