@@ -109,6 +109,13 @@ std::vector<Parameter> option_parameters() {
              "what a particle meets outside the body's first box, in the updated frame"),
         number("margin", "-", 0.1, between(0, 10),
                "grid beyond each free face, in units of the body's edge; at least one cell"),
+        word("kernel", "fast",
+             {{"fast",
+               "particles in slots by cells, several at once, quiet regions skipped: for mass 'lumped', transfer "
+               "'flip', tents or quadratic splines and a law in increments; elsewhere 'readable'"},
+              {"fast_everywhere", "the same, quiet regions computed too"},
+              {"readable", "one particle after the other: the truth that the others are tested against"}},
+             "how the steps are computed; all give the same to round-off"),
     };
 }
 

@@ -47,6 +47,7 @@ public:
     const Grid<dim>& grid() const { return grid_; }
     long crossings() const { return crossings_; }         ///< times a particle was found in a new cell
     Vec<dim> momentum() const;                            ///< of the particles [kg m/s]
+    double mass_on_grid() const;                          ///< gathered by the nodes [kg]
     const Vec<dim>& impulse() const { return impulse_; }  ///< of held faces and loads so far [kg m/s]
 
 private:

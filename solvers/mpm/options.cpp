@@ -124,6 +124,7 @@ Options options_from(const Values& values) {
     o.beyond_grid = choice<BeyondGrid>(values, "beyond_grid");
     o.reconstruction = choice<Reconstruction>(values, "reconstruction");
     o.body_force = choice<BodyForce>(values, "body_force");
+    o.kernel = choice<Kernel>(values, "kernel");
     o.terms = values.whole("k");
     o.degree = values.whole("degree");
     o.flip_share = values.number("flip_share");

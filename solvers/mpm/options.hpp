@@ -18,6 +18,7 @@ enum class Placement { cell_centred, even_interior, gauss, body_centred };
 enum class BeyondGrid { extend, extrapolate, follow };
 enum class Reconstruction { none, cubic_spline, tls, mls, impm };
 enum class BodyForce { particles, nodes, left_out };
+enum class Kernel { fast, fast_everywhere, readable };
 
 /// How the method discretises; plain values, chosen between the passes of a step.
 struct Options {
@@ -43,6 +44,7 @@ struct Options {
     bool cells_span_grid = false;       ///< `cells` divides body and margin together
     bool conservative = false;          ///< a reconstruction's error of momentum is put right after every kick
     bool volume_of_cell = false;        ///< V_p is the cell's share even where particles stand denser or wider
+    Kernel kernel = Kernel::fast;       ///< how the steps are computed
 
     int spline_degree() const;  ///< of the grid's functions: 1 for all that are made of tents
     /// A drift by velocities that are mapped off the particles follows the kick: the parts of a composed time step.

@@ -99,6 +99,13 @@ Vec<dim> Mpm<dim>::momentum() const {
 }
 
 template <int dim>
+double Mpm<dim>::mass_on_grid() const {
+    double sum = 0;
+    for (const double m : grid_.m) sum += m;
+    return sum;
+}
+
+template <int dim>
 void Mpm<dim>::move(double dt) {
     const bool by_grid = options_.transfer != Transfer::fmpm && options_.transfer != Transfer::xpic;
     Vec<dim> sum = Vec<dim>::Zero();

@@ -1,13 +1,14 @@
 // The door of MPM: from declared values to a running, typed simulation.
 #include <cmath>
 
+#include "solvers/mpm/fast/fast.hpp"
 #include "solvers/mpm/mpm.hpp"
 
 namespace ordo::solvers::mpm {
 namespace {
 
-/// Steps an Mpm<dim> in time, counts its work and reads its fields.
-template <int dim>
+/// Steps an Mpm<dim>, or what stands for it, in time, counts its work and reads its fields.
+template <int dim, class Method>
 class Running final : public Simulation {
 public:
     Running(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution,
@@ -17,12 +18,18 @@ public:
           rho_(scene.rho),
           dt_(resolution.dt),
           mpm_(scene, options, resolution, asked("strain")),
-          momentum_(mpm_.momentum()) {}
+          momentum_(mpm_.momentum()),
+          count_(static_cast<double>(mpm_.particles().size())) {}
 
     void advance_to(double t, const Interrupt& interrupt) override {
         in_equal_steps(t_, t, dt_, interrupt, [&](double now, double dt) {
-            if (options_.composed()) mpm_.composed_step(now, dt);
-            else mpm_.step(now, options_.leaps() ? 0.5 * (last_dt_ + dt) : dt, dt);
+            const double kick = options_.leaps() ? 0.5 * (last_dt_ + dt) : dt;
+            if constexpr (requires { mpm_.composed_step(now, dt); }) {
+                if (options_.composed()) mpm_.composed_step(now, dt);
+                else mpm_.step(now, kick, dt);
+            } else {
+                mpm_.step(now, kick, dt);
+            }
             ++steps_;
             last_dt_ = dt;
         });
@@ -39,29 +46,32 @@ public:
             shot.X.insert(shot.X.end(), p.X[i].data(), p.X[i].data() + dim);
             shot.x.insert(shot.x.end(), p.x[i].data(), p.x[i].data() + dim);
         }
-        for (const auto& name : fields_) shot.fields.push_back(read(name));
+        for (const auto& name : fields_) shot.fields.push_back(read(name, p));
         return shot;
     }
 
     std::vector<Figure> work() const override {
-        const double particles = static_cast<double>(mpm_.particles().size());
         const double steps = static_cast<double>(steps_);
         return {{"steps", steps},
-                {"particle_steps", steps * particles},
+                {"particle_steps", steps * count_},
                 {"cell_crossings", static_cast<double>(mpm_.crossings())}};
     }
 
     /// Mass: what the grid gathered in the last step against the particles'. Momentum: its change against the impulse
     /// of held faces and loads, relative to the sum of m |v|, the impulse and the sum of m |u| / t.
     std::vector<Figure> drift() const override {
-        double on_grid = 0;
+        const auto& p = mpm_.particles();
         double mass = 0;
-        for (const double m : mpm_.grid().m) on_grid += m;
-        for (const double m : mpm_.particles().m) mass += m;
+        for (const double m : p.m) mass += m;
         const Vec<dim> change = mpm_.momentum() - momentum_;
-        const double scale = moving() + mpm_.impulse().norm() + travelled();
-        return {{"mass", steps_ == 0 ? 0 : std::abs(on_grid - mass) / mass},
+        const double scale = moving(p) + mpm_.impulse().norm() + travelled(p);
+        return {{"mass", steps_ == 0 ? 0 : std::abs(mpm_.mass_on_grid() - mass) / mass},
                 {"momentum", scale == 0 ? 0 : (change - mpm_.impulse()).norm() / scale}};
+    }
+
+    std::vector<Skipped> skipped() const override {
+        if constexpr (requires { mpm_.skipped(); }) return mpm_.skipped();
+        else return {};
     }
 
 private:
@@ -72,8 +82,7 @@ private:
         return false;
     }
 
-    Field read(const std::string& name) const {
-        const auto& p = mpm_.particles();
+    Field read(const std::string& name, const Particles<dim>& p) const {
         if (name == "displacement")
             return per_particle<dim>(name, [&](std::size_t i) { return Vec<dim>(p.x[i] - p.X[i]); });
         if (name == "stress") return per_particle<dim * dim>(name, [&](std::size_t i) { return p.sigma[i]; });
@@ -82,15 +91,16 @@ private:
                 name, [&](std::size_t i) { return Tensor<dim>((p.F[i] - Tensor<dim>::Identity()).transpose()); });
         }
         if (!options_.leaps() || steps_ == 0) return per_particle<dim>(name, [&](std::size_t i) { return p.v[i]; });
-        Mpm<dim> now = mpm_;
+        Method now = mpm_;
         now.synchronise(t_, 0.5 * last_dt_);
-        return per_particle<dim>(name, [&](std::size_t i) { return now.particles().v[i]; });
+        const auto& later = now.particles();
+        return per_particle<dim>(name, [&](std::size_t i) { return later.v[i]; });
     }
 
     template <int components, class Get>
     Field per_particle(const std::string& name, Get&& get) const {
         Field field{name, components, {}};
-        for (std::size_t i = 0; i < mpm_.particles().size(); ++i) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
             const auto value = get(i).eval();
             field.values.insert(field.values.end(), value.data(), value.data() + components);
         }
@@ -98,15 +108,13 @@ private:
     }
 
     /// Sum of m |u| / t: what swings is not judged by the moment when it turns.
-    double travelled() const {
-        const auto& p = mpm_.particles();
+    double travelled(const Particles<dim>& p) const {
         double sum = 0;
         for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * (p.x[i] - p.X[i]).norm();
         return t_ > 0 ? sum / t_ : 0;
     }
 
-    double moving() const {
-        const auto& p = mpm_.particles();
+    static double moving(const Particles<dim>& p) {
         double sum = 0;
         for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * p.v[i].norm();
         return sum;
@@ -116,8 +124,9 @@ private:
     Options options_;
     double rho_;
     double dt_;
-    Mpm<dim> mpm_;
+    Method mpm_;
     Vec<dim> momentum_;
+    double count_;  ///< of the particles
     double t_ = 0;
     double last_dt_ = 0;
     long steps_ = 0;
@@ -190,6 +199,7 @@ Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
     return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) {
         check_fits(solid, chosen);
         const Resolution fine = resolution_from(solid, chosen, resolution);
+        fast::chosen_set();  // refuses a word of ORDO_SIMD at the door
         double points = 1;
         for (int axis = 0; axis < dim; ++axis)
             points *= count_along_edge(chosen, fine, solid.upper[axis] - solid.lower[axis]);
@@ -202,7 +212,10 @@ std::unique_ptr<Simulation> start(const Scene& scene, const Values& options, con
     const Options chosen = options_from(options);
     return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) -> std::unique_ptr<Simulation> {
         check_fits(solid, chosen);
-        return std::make_unique<Running<dim>>(solid, chosen, resolution_from(solid, chosen, resolution), fields);
+        const Resolution fine = resolution_from(solid, chosen, resolution);
+        if (fast::serves(solid, chosen))
+            return std::make_unique<Running<dim, fast::FastMpm<dim>>>(solid, chosen, fine, fields);
+        return std::make_unique<Running<dim, Mpm<dim>>>(solid, chosen, fine, fields);
     });
 }
 

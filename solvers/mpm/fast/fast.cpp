@@ -1,0 +1,375 @@
+#include "solvers/mpm/fast/fast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/text.hpp"
+
+namespace ordo::solvers::mpm::fast {
+
+template <int dim>
+bool serves(const SolidScene<dim>& scene, const Options& o) {
+    const bool rates = std::holds_alternative<LogarithmicLaw>(scene.law) ||
+                       std::holds_alternative<ReciprocalLaw>(scene.law) ||
+                       std::holds_alternative<NominalLaw>(scene.law);
+    const bool basis = o.basis == Basis::linear || (o.basis == Basis::quadratic && dim < 3);
+    const bool plain = o.mass == Mass::lumped && o.transfer == Transfer::flip &&
+                       o.reconstruction == Reconstruction::none && o.beyond_grid == BeyondGrid::extend;
+    const bool forces = !o.stress_from_F && !o.last_particle_loaded && o.body_force != BodyForce::nodes &&
+                        !(scene.damping && o.stress_update == StressUpdate::usf);
+    return o.kernel != Kernel::readable && rates && basis && plain && forces && !o.composed() &&
+           o.stress_update != StressUpdate::usavg && !scene.face_velocity;
+}
+
+namespace {
+
+/// How quadratic splines are clamped, cell by cell, four rows: see Ends in along.hpp. Padded for whole blocks.
+std::vector<double> ends_along(int cells) {
+    const std::size_t n = static_cast<std::size_t>((cells / lanes + 2) * lanes);
+    std::vector<double> ends(4 * n);
+    for (std::size_t c = 0; c < n; ++c) {
+        const double before = c == 0 ? 0 : 1;
+        const double after = static_cast<int>(c) == cells - 1 ? 0 : 1;
+        ends[c] = 1 / (1 + before);
+        ends[n + c] = before;
+        ends[2 * n + c] = 1 / (1 + after);
+        ends[3 * n + c] = after;
+    }
+    return ends;
+}
+
+}  // namespace
+
+template <int dim>
+FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F)
+    : FastMpm(scene, options, resolution, seeded<dim>(scene, options, resolution, with_F)) {}
+
+template <int dim>
+FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution,
+                      Particles<dim>&& particles)
+    : options_(options),
+      body_force_(options.body_force == BodyForce::left_out ? std::nullopt : scene.body_force),
+      damping_(scene.damping.value_or(0)),
+      total_(options.frame == Frame::total),
+      everywhere_(options.kernel == Kernel::fast_everywhere || body_force_),
+      grid_(scene, options, resolution),
+      slots_(grid_, particles, total_),
+      boundary_(scene, options, resolution, particles),
+      kernels_(kernels<dim>(grid_.degree, total_)),
+      rate_(static_cast<Rate>(scene.law.index())),
+      C_(std::visit([](const auto& law) { return law.C; }, scene.law)),
+      rest_v_(1e-30 * std::sqrt(stiffness(scene.law) / scene.rho)),
+      rest_sigma_(1e-30 * stiffness(scene.law)),
+      lost_(static_cast<long>(particles.size())),
+      inverted_(lost_) {
+    X_ = std::move(particles.X);
+    const long rows = dim == 1 ? 1 : grid_.cells[dim - 1] + grid_.degree;
+    const std::size_t nodes = static_cast<std::size_t>(
+        rows * (dim == 1 ? slots_.blocks_along(0) + 1L : slots_.row_of_nodes(dim - 1) / lanes));
+    for (auto* field : {&p_, &f_, &v_, &a_}) {
+        for (auto& component : *field) component.assign(nodes, {});
+    }
+    m_.assign(nodes, {});
+    for (int axis = 0; axis < dim; ++axis) ends_[static_cast<std::size_t>(axis)] = ends_along(grid_.cells[axis]);
+    for (const auto& [node, axis] : grid_.held) held_.push_back({static_cast<int>(padded(node)), axis});
+    if (boundary_.x.empty()) {
+        for (auto* vectors : {&grid_.v, &grid_.a}) std::vector<Vec<dim>>().swap(*vectors);
+        std::vector<double>().swap(grid_.m);
+    }
+    near_.resize(slots_.blocks().size());
+    seen_.resize(nodes);
+    order_.reserve(near_.size());
+    runs_.reserve(nodes);
+    leavers_.reserve(X_.size());
+    slots_.each([&](Seat seat) {
+        const Cell<dim> cell = slots_.cell(seat);
+        Vec<dim> xi;
+        Cell<dim> found = cell;
+        const Vec<dim> x = total_ ? X_[static_cast<std::size_t>(slots_.id(seat) - 1)] : where(seat);
+        if (!grid_.locate(x, found, xi)) lost_ = std::min(lost_, slots_.id(seat) - 1L);
+        slots_.blocks()[static_cast<std::size_t>(slots_.block_of(seat.slot))].near = true;
+        on_face_ = on_face_ || on_face(seat);
+    });
+    wake();
+    begin();
+}
+
+/// The sums of the first step, or after particles came where no sweep was.
+template <int dim>
+void FastMpm<dim>::begin() {
+    arrange();
+    std::fill(m_.begin(), m_.end(), Eight{});
+    clear(p_);
+    clear(f_);
+    sweep(Pass::begin, 0, 0);
+    if (options_.stress_update == StressUpdate::usf) clear(f_);
+    missed_ = false;
+}
+
+template <int dim>
+void FastMpm<dim>::step(double t, double kick, double dt) {
+    meet_grid(t);
+    swept_ += in_sweep_;
+    due_ += static_cast<double>(X_.size());
+    const bool bare = on_face_ && find_touches();
+    if (options_.stress_update == StressUpdate::usf) {
+        solve(Makes::v, 0, false);
+        if (bare) lend_velocity();
+        sweep(Pass::first, 0, dt);
+        gather_loads(t);
+        solve(Makes::a_added, kick, !total_);
+        move_boundary(dt, v_);
+        sweep(Pass::kick_move, kick, dt);
+    } else if (options_.stress_update == StressUpdate::usl) {
+        gather_loads(t);
+        solve(Makes::both, kick, !total_);
+        move_boundary(dt, v_);
+        if (bare) {
+            kick_apart(kick);
+            lend_velocity();
+        }
+        sweep(bare ? Pass::follow_two : Pass::last, kick, dt);
+    } else {
+        gather_loads(t);
+        solve(options_.moved_by_remapped ? Makes::a : Makes::both, kick, false);
+        if (!options_.moved_by_remapped) kick_apart(kick);
+        else sweep(Pass::kick, kick, dt);
+        solve(Makes::v, 0, !total_);
+        move_boundary(dt, options_.moved_by_remapped ? v_ : u_);
+        if (bare) lend_velocity();
+        if (options_.moved_by_remapped && damping_ != 0) u_ = v_;
+        sweep(options_.moved_by_remapped && damping_ == 0 ? Pass::follow : Pass::follow_two, kick, dt);
+    }
+    wake();
+    if (missed_) begin();
+    else if (dirty_) arrange();
+}
+
+/// v_p alone, and their momentum; what the nodes had is kept as u.
+template <int dim>
+void FastMpm<dim>::kick_apart(double kick) {
+    u_ = v_;
+    sweep(Pass::kick, kick, 0);
+    if (options_.stress_update == StressUpdate::usl) clear(p_);
+}
+
+template <int dim>
+void FastMpm<dim>::synchronise(double t, double kick) {
+    meet_grid(t);
+    gather_loads(t);
+    solve(Makes::a, kick, false);
+    sweep(Pass::kick, kick, 0);
+}
+
+template <int dim>
+void FastMpm<dim>::meet_grid(double t) {
+    if (lost_ < static_cast<long>(X_.size()))
+        throw Diverged("particle " + std::to_string(lost_) + " left the grid at t = " + shortest(t));
+    if (boundary_.x.empty()) return;
+    boundary_.meet_grid(grid_, total_, {});
+    wake_loaded();
+    if (dirty_ && due_ == 0) begin();
+    else if (dirty_) arrange();
+}
+
+template <int dim>
+void FastMpm<dim>::clear(Field& field) {
+    for (auto& component : field) std::fill(component.begin(), component.end(), Eight{});
+}
+
+template <int dim>
+void FastMpm<dim>::gather_loads(double t) {
+    load_.setZero();
+    if (body_force_) gather_body_force(t);
+    if (boundary_.traction && !boundary_.x.empty()) {
+        const auto each = [&](auto&& visit) {
+            for (std::size_t k = 0; k < boundary_.x.size(); ++k)
+                boundary_.stencils.row(
+                    k, [&](int i, double, const auto&) { visit(static_cast<std::size_t>(i), padded(i)); });
+        };
+        each([&](std::size_t i, long node) {
+            grid_.m[i] = at(m_, node);
+            grid_.a[i].setZero();
+        });
+        load_ += boundary_.pull(t, grid_, grid_.a);
+        each([&](std::size_t i, long node) {
+            for (int c = 0; c < dim; ++c) at(f_[static_cast<std::size_t>(c)], node) += grid_.a[i][c];
+            grid_.a[i].setZero();
+        });
+    }
+    for (int c = 0; damping_ != 0 && c < dim; ++c) {
+        for (const long run : runs_) {
+            for (int lane = 0; lane < lanes; ++lane)
+                load_[c] -= damping_ * at(p_[static_cast<std::size_t>(c)], run + lane);
+        }
+    }
+}
+
+template <int dim>
+void FastMpm<dim>::gather_body_force(double t) {
+    b_.assign(X_.size() + 1, Vec<dim>::Zero());
+    (*body_force_)(X_, t, std::span(b_).subspan(1));
+    sweep(Pass::load, 0, 0);
+}
+
+/// Nodes from sums to v, a or both. Held ones stand, by an impulse that takes all their force.
+template <int dim>
+void FastMpm<dim>::solve(Makes what, double kick, bool ends_m) {
+    const bool forces = what != Makes::v;
+    for (const auto& [node, axis] : held_) {
+        const auto c = static_cast<std::size_t>(axis);
+        if (forces) impulse_[axis] -= kick * (at(f_[c], node) - damping_ * at(p_[c], node));
+        if (forces) at(f_[c], node) = 0;
+        at(p_[c], node) = 0;
+    }
+    if (forces) impulse_ += kick * load_;
+    NodePass<dim> pass{};
+    pass.first = runs_.data();
+    pass.count = static_cast<long>(runs_.size());
+    pass.m = m_.front().at;
+    pass.kick = kick;
+    pass.damping = damping_;
+    pass.takes_p = what == Makes::v || what == Makes::both;
+    pass.takes_f = forces;
+    pass.adds = what == Makes::both || what == Makes::a_added;
+    pass.ends_m = ends_m;
+    for (std::size_t c = 0; c < dim; ++c) {
+        pass.p[c] = p_[c].front().at;
+        pass.f[c] = f_[c].front().at;
+        pass.v[c] = v_[c].front().at;
+        pass.a[c] = a_[c].front().at;
+    }
+    kernels_.nodes(pass);
+}
+
+template <int dim>
+void FastMpm<dim>::move_boundary(double dt, const Field& v) {
+    for (std::size_t k = 0; k < boundary_.x.size(); ++k) {
+        boundary_.stencils.row(k, [&](int i, double, const auto&) {
+            for (int c = 0; c < dim; ++c)
+                grid_.v[static_cast<std::size_t>(i)][c] = at(v[static_cast<std::size_t>(c)], padded(i));
+        });
+    }
+    if (!boundary_.x.empty()) boundary_.move(dt, grid_);
+}
+
+template <int dim>
+void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
+    Sweep<dim> s{};
+    s.slots = slots_.data();
+    s.stride = slots_.rows() * lanes;
+    s.next = slots_.next();
+    s.id = slots_.ids();
+    s.blocks = slots_.blocks().data();
+    s.order = order_.data();
+    s.count = static_cast<long>(order_.size());
+    s.m = m_.front().at;
+    const bool two = pass == Pass::follow_two;
+    for (int axis = 0; axis < dim; ++axis) {
+        const auto c = static_cast<std::size_t>(axis);
+        s.row[c] = slots_.row_of_nodes(axis);
+        s.v[c] = v_[c].front().at;
+        s.u[c] = two ? u_[c].front().at : nullptr;
+        s.a[c] = a_[c].front().at;
+        s.p[c] = p_[c].front().at;
+        s.f[c] = f_[c].front().at;
+        s.ends[c] = ends_[c].data();
+        s.cells[c] = static_cast<long>(ends_[c].size() / 4);
+        s.lower[c] = grid_.lower[axis];
+    }
+    s.h = grid_.h;
+    s.per_h = 1 / grid_.h;
+    s.kick = kick;
+    s.dt = dt;
+    s.lambda = C_.lambda;
+    s.mu = C_.mu;
+    s.rate = rate_;
+    s.mesh = static_cast<Mesh>(options_.strain_mesh);
+    s.volume_updated = options_.volume_updated;
+    s.keeps_F = slots_.rows() > Row<dim>::F;
+    s.b = b_.empty() ? nullptr : b_.front().data();
+    s.settle_for = this;
+    const bool moves = pass != Pass::begin && pass != Pass::kick && pass != Pass::first && pass != Pass::load;
+    if (moves && !total_) on_face_ = false;
+    kernels_.sweep[static_cast<int>(pass)](s);
+    for (int c = 0; c < dim; ++c) {
+        for (int lane = 0; lane < lanes; ++lane) {
+            load_[c] += s.load[c][lane];
+            finite_ = finite_ && std::isfinite(s.travelled[c][lane]);
+        }
+    }
+    if (!finite_) throw Diverged("the positions of the particles are not finite");
+    if (inverted_ < static_cast<long>(X_.size()))
+        throw Diverged("particle " + std::to_string(inverted_) + " is turned inside out");
+    if (!leavers_.empty()) move_leavers(pass);
+}
+
+template <int dim>
+Particles<dim> FastMpm<dim>::particles() const {
+    using R = Row<dim>;
+    Particles<dim> p;
+    const std::size_t count = X_.size();
+    p.X = X_;
+    for (auto* vectors : {&p.x, &p.v}) vectors->resize(count);
+    for (auto* numbers : {&p.m, &p.volume}) numbers->resize(count);
+    p.sigma.resize(count);
+    const bool keeps_F = slots_.rows() > R::F;
+    if (keeps_F) p.F.resize(count);
+    slots_.each([&](Seat seat) {
+        const auto k = static_cast<std::size_t>(slots_.id(seat) - 1);
+        p.x[k] = where(seat);
+        for (int i = 0; i < dim; ++i) {
+            p.v[k][i] = slots_.at(seat, R::v + i);
+            p.sigma[k](i, i) = slots_.at(seat, R::sigma + i);
+            for (int j = i + 1; j < dim; ++j)
+                p.sigma[k](i, j) = p.sigma[k](j, i) = slots_.at(seat, R::sigma + dim + i + j - 1);
+        }
+        p.m[k] = slots_.at(seat, R::m);
+        p.volume[k] = slots_.at(seat, R::volume);
+        for (int i = 0; keeps_F && i < dim * dim; ++i) p.F[k].data()[i] = slots_.at(seat, R::F + i);
+    });
+    return p;
+}
+
+template <int dim>
+Vec<dim> FastMpm<dim>::momentum() const {
+    Vec<dim> sum = Vec<dim>::Zero();
+    slots_.each([&](Seat seat) {
+        for (int c = 0; c < dim; ++c) sum[c] += slots_.at(seat, Row<dim>::m) * slots_.at(seat, Row<dim>::v + c);
+    });
+    return sum;
+}
+
+/// What the nodes hold, and what never came to them because it is at rest.
+template <int dim>
+double FastMpm<dim>::mass_on_grid() const {
+    double sum = 0;
+    for (const auto& run : m_) {
+        for (const double m : run.at) sum += m;
+    }
+    for (const Block& block : slots_.blocks()) {
+        if (!block.swept) slots_.each_in(block, [&](Seat seat) { sum += slots_.at(seat, Row<dim>::m); });
+    }
+    return sum;
+}
+
+template <int dim>
+std::vector<Skipped> FastMpm<dim>::skipped() const {
+    std::vector<Skipped> skipped;
+    if (due_ > swept_) skipped.push_back({"particle-steps of regions at rest", 1 - swept_ / due_});
+    if (total_ && due_ > 0) {
+        const double steps = due_ / static_cast<double>(X_.size());
+        skipped.push_back({"looking for particles and gathering masses, in the total frame once a run", 1 - 1 / steps});
+    }
+    return skipped;
+}
+
+template bool serves(const SolidScene<1>&, const Options&);
+template bool serves(const SolidScene<2>&, const Options&);
+template bool serves(const SolidScene<3>&, const Options&);
+template class FastMpm<1>;
+template class FastMpm<2>;
+template class FastMpm<3>;
+
+}  // namespace ordo::solvers::mpm::fast

@@ -1,0 +1,122 @@
+#pragma once
+// The fast kernel of MPM: the same steps as mpm.hpp, which stays the truth, for the choices that most runs make.
+#include <optional>
+#include <vector>
+
+#include "solvers/mpm/boundary.hpp"
+#include "solvers/mpm/fast/instruction_sets.hpp"
+#include "solvers/mpm/fast/slots.hpp"
+#include "solvers/solver.hpp"
+
+namespace ordo::solvers::mpm::fast {
+
+/// Whether the fast kernel serves these choices for this scene.
+template <int dim>
+bool serves(const SolidScene<dim>& scene, const Options& options);
+
+/// Particles in slots by cells, swept by kernels that gather from the nodes, update and scatter in one go: grid to
+/// particle of one step and particle to grid of the next. Between steps, the nodes hold the sums of the particles'
+/// places. accuracy  as Mpm<dim>, but for the order of sums; the same bits whatever the instruction set
+template <int dim>
+class FastMpm {
+public:
+    FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F);
+
+    // as of Mpm<dim>
+    void step(double t, double kick, double dt);
+    void synchronise(double t, double kick);
+    void meet_grid(double t);
+    Particles<dim> particles() const;  ///< in their original order: X, x, v, m, volume, sigma and, where kept, F
+    long crossings() const { return crossings_; }
+    Vec<dim> momentum() const;
+    double mass_on_grid() const;
+    const Vec<dim>& impulse() const { return impulse_; }
+    std::vector<Skipped> skipped() const;
+
+    /// Called by kernels, see sweep.hpp.
+    void settle(Block& block, int slot, int lane, unsigned beside, unsigned inverted, double* xi, double* keep);
+
+private:
+    FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution,
+            Particles<dim>&& particles);
+
+    using Nodes = std::vector<Eight>;
+    using Field = std::array<Nodes, static_cast<std::size_t>(dim)>;
+    /// A particle on a face, and a node that it touches with no weight but a gradient, and that has no mass.
+    struct Touch {
+        long node;
+        Seat by;
+    };
+
+    struct Leaver {
+        Seat from;
+        Cell<dim> to;
+    };
+
+    // the passes
+    void begin();
+    void sweep(Pass pass, double kick, double dt);
+    void gather_loads(double t);
+    void gather_body_force(double t);
+    enum class Makes { v, a, both, a_added };  ///< added: v += kick a
+    void solve(Makes what, double kick, bool ends_m);
+    void kick_apart(double kick);
+    void move_boundary(double dt, const Field& v);
+    void clear(Field& field);
+
+    // who is where, in places.cpp
+    double place(Seat seat, int axis) const;  ///< as kernels find it, xi [-]
+    Vec<dim> where(Seat seat) const;          ///< x [m]
+    void enter_leaver(const Leaver& leaver);
+    void move_leavers(Pass pass);
+    template <int degree>
+    void share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& xi, Pass pass);
+    void arrange();
+    void mark_swept();
+    void list_runs();
+    void wake();
+    void wake_loaded();
+    template <class Visit>
+    void each_touched(Seat seat, Visit&& visit) const;
+    bool on_face(Seat seat) const;
+    bool find_touches();
+    void lend_velocity();
+    long padded(int node) const;  ///< where the grid's node stands in the fields
+    static double& at(Nodes& nodes, long i) { return nodes[static_cast<std::size_t>(i / lanes)].at[i % lanes]; }
+    static double at(const Nodes& nodes, long i) { return nodes[static_cast<std::size_t>(i / lanes)].at[i % lanes]; }
+
+    Options options_;
+    std::optional<VectorField<dim>> body_force_;
+    double damping_;
+    bool total_, everywhere_;
+    Grid<dim> grid_;
+    std::vector<Vec<dim>> X_;  ///< of the particles in their original order [m]
+    Slots<dim> slots_;
+    Boundary<dim> boundary_;
+    Kernels<dim> kernels_;
+    Rate rate_;
+    Moduli C_;
+    double rest_v_, rest_sigma_;  ///< what is less counts as rest in a quiet region
+    std::array<std::vector<double>, static_cast<std::size_t>(dim)> ends_;
+    Nodes m_;
+    Field p_, f_, v_, a_, u_;
+    std::vector<Held> held_;                             ///< nodes by their place in the fields
+    std::vector<int> order_;                             ///< of the blocks that are swept
+    std::vector<long> runs_;                             ///< of the nodes that they touch
+    std::vector<unsigned char> near_, seen_, seen_row_;  ///< marks of blocks, of runs of nodes, along a line
+    std::vector<Leaver> leavers_;
+    std::vector<Touch> touches_;
+    std::vector<Vec<dim>> b_;  ///< [m/s^2]; entry 0 for lanes without particle
+    Vec<dim> load_ = Vec<dim>::Zero();
+    Vec<dim> impulse_ = Vec<dim>::Zero();
+    bool on_face_ = false;
+    bool dirty_ = true;  ///< another set of blocks has particles or is awake
+    bool finite_ = true;
+    bool missed_ = false;   ///< a particle came where no sweep was
+    long lost_, inverted_;  ///< first particle that has left the grid, that is turned inside out
+    long crossings_ = 0;
+    double swept_ = 0, due_ = 0;  ///< particle-steps done, and of the whole body
+    double in_sweep_ = 0;         ///< particles in the blocks that are swept
+};
+
+}  // namespace ordo::solvers::mpm::fast

@@ -1,0 +1,203 @@
+#include "solvers/mpm/fast/slots.hpp"
+
+#include <algorithm>
+
+namespace ordo::solvers::mpm::fast {
+namespace {
+
+template <int dim>
+Cell<dim> nearest_cell(const Grid<dim>& grid, const Vec<dim>& x) {
+    Cell<dim> cell = Cell<dim>::Constant(nowhere);
+    Vec<dim> xi;
+    if (grid.locate(x, cell, xi)) return cell;
+    for (int axis = 0; axis < dim; ++axis) {
+        const double r = std::clamp((x[axis] - grid.lower[axis]) / grid.h, 0.0, grid.cells[axis] - 1.0);
+        cell[axis] = std::isfinite(r) ? static_cast<int>(r) : 0;
+    }
+    return cell;
+}
+
+}  // namespace
+
+template <int dim>
+Slots<dim>::Slots(const Grid<dim>& grid, const Particles<dim>& particles, bool total)
+    : lower_(grid.lower), h_(grid.h), total_(total) {
+    using R = Row<dim>;
+    rows_ = total ? R::of_total : particles.F.empty() ? R::of_updated : R::of_updated_with_F;
+    along_[0] = (grid.cells[0] + lanes - 1) / lanes;
+    node_row_[1] = lanes * (along_[0] + 1L);
+    for (int axis = 1; axis < dim; ++axis) {
+        along_[axis] = grid.cells[axis];
+        if (axis == 1) node_row_[2] = node_row_[1] * (grid.cells[1] + grid.degree);
+    }
+    blocks_.resize(static_cast<std::size_t>(along_[0]) * static_cast<std::size_t>(along_[1] * along_[2]));
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const int number = static_cast<int>(b);
+        Block& block = blocks_[b];
+        block.cell[0] = lanes * (number % along_[0]);
+        block.cell[1] = number / along_[0] % along_[1];
+        block.cell[2] = number / along_[0] / along_[1];
+        block.node = block.cell[0] + block.cell[1] * node_row_[1] + block.cell[2] * node_row_[2];
+    }
+    count_.assign(blocks_.size() * lanes, 0);
+    // Chains of the length that each block needs, side by side in memory; then the particles.
+    std::vector<Cell<dim>> cells;
+    for (const auto& x : total ? particles.X : particles.x) {
+        cells.push_back(nearest_cell(grid, x));
+        ++count_[static_cast<std::size_t>(block_at(cells.back()) * lanes + cells.back()[0] % lanes)];
+    }
+    std::size_t needed = 0;
+    const auto longest = [&](std::size_t b) {
+        return *std::max_element(count_.begin() + static_cast<long>(b) * lanes,
+                                 count_.begin() + static_cast<long>(b + 1) * lanes);
+    };
+    for (std::size_t b = 0; b < blocks_.size(); ++b) needed += static_cast<std::size_t>(longest(b));
+    reserve(needed + needed / 4 + 2 * blocks_.size() / static_cast<std::size_t>(along_[0]) + lanes);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        for (int k = longest(b); k > 0; --k) append(static_cast<int>(b));
+    }
+    std::fill(count_.begin(), count_.end(), 0);
+    for (std::size_t p = 0; p < cells.size(); ++p) fill(seat_in(block_at(cells[p]), cells[p][0] % lanes), particles, p);
+}
+
+template <int dim>
+void Slots<dim>::reserve(std::size_t slots) {
+    data_.reserve(slots * static_cast<std::size_t>(rows_));
+    id_.reserve(slots * lanes);
+    for (auto* list : {&next_, &block_of_, &rank_, &taken_}) list->reserve(slots);
+}
+
+template <int dim>
+int Slots<dim>::block_at(const Cell<dim>& cell) const {
+    int number = cell[0] / lanes;
+    if constexpr (dim > 1) number += along_[0] * cell[1];
+    if constexpr (dim > 2) number += along_[0] * along_[1] * cell[2];
+    return number;
+}
+
+template <int dim>
+Cell<dim> Slots<dim>::cell(Seat seat) const {
+    const Block& block = blocks_[static_cast<std::size_t>(block_of(seat.slot))];
+    Cell<dim> cell;
+    for (int axis = 0; axis < dim; ++axis) cell[axis] = block.cell[axis];
+    cell[0] += seat.lane;
+    return cell;
+}
+
+template <int dim>
+int Slots<dim>::particles_in(int block) const {
+    int sum = 0;
+    for (int lane = 0; lane < lanes; ++lane) sum += count_[static_cast<std::size_t>(block * lanes + lane)];
+    return sum;
+}
+
+template <int dim>
+void Slots<dim>::append(int block) {
+    int slot = free_;
+    if (slot >= 0) {
+        free_ = next_[static_cast<std::size_t>(slot)];
+    } else {
+        slot = static_cast<int>(next_.size());
+        data_.resize(data_.size() + static_cast<std::size_t>(rows_));
+        id_.resize(id_.size() + lanes);
+        for (auto* list : {&next_, &block_of_, &rank_, &taken_}) list->push_back(0);
+    }
+    const auto k = static_cast<std::size_t>(slot);
+    int* last = &blocks_[static_cast<std::size_t>(block)].first;
+    rank_[k] = 0;
+    while (*last >= 0) {
+        rank_[k] = rank(*last) + 1;
+        last = &next_[static_cast<std::size_t>(*last)];
+    }
+    *last = slot;
+    next_[k] = -1;
+    block_of_[k] = block;
+    taken_[k] = 0;
+    for (int lane = 0; lane < lanes; ++lane) empty({slot, lane});
+}
+
+/// The seat after the last particle of a cell.
+template <int dim>
+Seat Slots<dim>::seat_in(int block, int lane) {
+    const int rank = count_[static_cast<std::size_t>(block * lanes + lane)]++;
+    const auto nth = [&] {
+        int slot = blocks_[static_cast<std::size_t>(block)].first;
+        for (int k = 0; k < rank && slot >= 0; ++k) slot = next_[static_cast<std::size_t>(slot)];
+        return slot;
+    };
+    int slot = nth();
+    if (slot < 0) {
+        append(block);
+        slot = nth();
+    }
+    ++taken_[static_cast<std::size_t>(slot)];
+    return {slot, lane};
+}
+
+/// Mid-cell, undeformed, without mass: whatever is gathered there, it gives nothing.
+template <int dim>
+void Slots<dim>::empty(Seat seat) {
+    using R = Row<dim>;
+    id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)] = nobody;
+    for (int row = 0; row < rows_; ++row) at(seat, row) = 0;
+    const Cell<dim> in = cell(seat);
+    for (int axis = 0; axis < dim; ++axis) {
+        at(seat, R::x + axis) = lower_[axis] + h_ * (in[axis] + 0.5);
+        if (rows_ > R::F) at(seat, R::F + axis * (dim + 1)) = 1;
+        if (total_) at(seat, R::xi + axis) = 0.5;
+    }
+}
+
+template <int dim>
+void Slots<dim>::fill(Seat seat, const Particles<dim>& particles, std::size_t p) {
+    using R = Row<dim>;
+    id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)] = static_cast<int>(p) + 1;
+    const Cell<dim> in = cell(seat);
+    for (int i = 0; i < dim; ++i) {
+        at(seat, R::x + i) = particles.x[p][i];
+        at(seat, R::v + i) = particles.v[p][i];
+        at(seat, R::sigma + i) = particles.sigma[p](i, i);
+        for (int j = i + 1; j < dim; ++j) at(seat, R::sigma + dim + i + j - 1) = particles.sigma[p](i, j);
+        if (total_) at(seat, R::xi + i) = (particles.X[p][i] - lower_[i]) / h_ - in[i];
+    }
+    at(seat, R::m) = particles.m[p];
+    at(seat, R::volume) = particles.volume[p];
+    for (int k = 0; rows_ > R::F && k < dim * dim; ++k) at(seat, R::F + k) = particles.F[p].data()[k];
+}
+
+template <int dim>
+void Slots<dim>::copy(Seat from, Seat to) {
+    for (int row = 0; row < rows_; ++row) at(to, row) = at(from, row);
+    id_[static_cast<std::size_t>(to.slot * lanes + to.lane)] = id(from);
+}
+
+template <int dim>
+Seat Slots<dim>::move(Seat from, const Cell<dim>& to) {
+    const Seat seat = seat_in(block_at(to), to[0] % lanes);
+    copy(from, seat);
+    leave(from);
+    return seat;
+}
+
+/// The last particle of the cell takes the seat; a last slot without particle goes back to the pool.
+template <int dim>
+void Slots<dim>::leave(Seat seat) {
+    const int block = block_of(seat.slot);
+    const int rank_of_last = --count_[static_cast<std::size_t>(block * lanes + seat.lane)];
+    int* link = &blocks_[static_cast<std::size_t>(block)].first;
+    while (rank(*link) < rank_of_last) link = &next_[static_cast<std::size_t>(*link)];
+    const Seat last{*link, seat.lane};
+    if (last.slot != seat.slot) copy(last, seat);
+    empty(last);
+    const auto k = static_cast<std::size_t>(last.slot);
+    if (--taken_[k] > 0) return;
+    *link = next_[k];
+    next_[k] = free_;
+    free_ = last.slot;
+}
+
+template class Slots<1>;
+template class Slots<2>;
+template class Slots<3>;
+
+}  // namespace ordo::solvers::mpm::fast
