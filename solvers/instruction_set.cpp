@@ -6,18 +6,19 @@
 #include "core/error.hpp"
 
 namespace ordo::solvers {
-namespace {
 
 bool has(InstructionSet set) {
     switch (set) {
-        case InstructionSet::avx512: return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+        case InstructionSet::avx512:
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                   __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
         case InstructionSet::avx2: return __builtin_cpu_supports("avx2");
         case InstructionSet::baseline: break;
     }
     return true;
 }
 
-InstructionSet chosen() {
+InstructionSet instruction_set() {
     using enum InstructionSet;
     const char* word = std::getenv("ORDO_SIMD");
     if (word == nullptr) return has(avx512) ? avx512 : has(avx2) ? avx2 : baseline;
@@ -26,13 +27,6 @@ InstructionSet chosen() {
     if (set == baseline && name != "baseline")
         throw InputError("ORDO_SIMD", "'" + name + "' is no set of instructions (there are baseline, avx2, avx512)");
     if (!has(set)) throw InputError("ORDO_SIMD", "this machine has no " + name + " (nearest: baseline)");
-    return set;
-}
-
-}  // namespace
-
-InstructionSet instruction_set() {
-    static const InstructionSet set = chosen();
     return set;
 }
 

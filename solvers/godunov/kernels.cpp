@@ -54,7 +54,8 @@ template <class Loop>
 }
 template <class Loop>
 void run(Loop loop) {
-    switch (instruction_set()) {
+    static const InstructionSet set = instruction_set();
+    switch (set) {
         case InstructionSet::avx512: return avx512(loop);
         case InstructionSet::avx2: return avx2(loop);
         case InstructionSet::baseline: return baseline(loop);

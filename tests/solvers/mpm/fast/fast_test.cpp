@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "solvers/instruction_set.hpp"
 #include "tests/allocations.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/mpm/bodies.hpp"
@@ -213,8 +214,8 @@ TEST_CASE("fast: what leaves the grid or is turned inside out is told in the sam
 
 TEMPLATE_TEST_CASE_SIG("fast: the same bits with each set of instructions", "[property]", ((int dim), dim), 1, 2, 3) {
     std::vector<std::string> sets{"baseline"};
-    if (fast::has(fast::Set::avx2)) sets.emplace_back("avx2");
-    if (fast::has(fast::Set::avx512)) sets.emplace_back("avx512");
+    if (has(InstructionSet::avx2)) sets.emplace_back("avx2");
+    if (has(InstructionSet::avx512)) sets.emplace_back("avx512");
     for (const auto& scheme : schemes) {
         for (const std::string basis : {"linear", "quadratic"}) {
             INFO(name_of(scheme) << basis);
@@ -235,9 +236,9 @@ TEMPLATE_TEST_CASE_SIG("fast: the same bits with each set of instructions", "[pr
 
 TEST_CASE("fast: an unknown set of instructions is refused", "[unit]") {
     setenv("ORDO_SIMD", "sse9", 1);
-    CHECK_THROWS_WITH(fast::chosen_set(), ContainsSubstring("sse9") && ContainsSubstring("avx2"));
+    CHECK_THROWS_WITH(instruction_set(), ContainsSubstring("sse9") && ContainsSubstring("avx2"));
     unsetenv("ORDO_SIMD");
-    CHECK_NOTHROW(fast::chosen_set());
+    CHECK_NOTHROW(instruction_set());
 }
 
 TEMPLATE_TEST_CASE_SIG("fast: quiet regions are skipped, and nothing changes", "[property]", ((int dim), dim), 1, 2) {
