@@ -21,8 +21,9 @@ bool has_fast_kernel() {
     return std::ranges::any_of(options, [](const Parameter& option) { return option.name == "kernel"; });
 }
 
+/// `with`: the capability that the scene has beside the wave; empty: none.
 template <int dim>
-SolidScene<dim> scene_of(const Wave& wave) {
+SolidScene<dim> scene_of(const Wave& wave, const std::string& with) {
     SolidScene<dim> scene;
     for (int axis = 0; axis < dim; ++axis) {
         scene.upper[axis] = wave.h * wave.cells[axis];
@@ -40,24 +41,38 @@ SolidScene<dim> scene_of(const Wave& wave) {
             for (int axis = 0; axis < dim; ++axis) v[i][axis] = wave.velocity(at, axis);
         }
     };
+    const auto nothing = [](std::span<const Vec<dim>>, double, std::span<Vec<dim>> out) {
+        std::fill(out.begin(), out.end(), Vec<dim>::Zero());
+    };
+    if (with == "body_force") scene.body_force = nothing;
+    if (with == "damping") scene.damping = 1e-6;
+    if (with == "traction") {
+        scene.faces[0][1] = Face::free;
+        scene.traction = nothing;
+    }
     return scene;
 }
 
-Scene solver_scene(const Wave& wave) {
-    if (wave.dim == 1) return scene_of<1>(wave);
-    if (wave.dim == 2) return scene_of<2>(wave);
-    return scene_of<3>(wave);
+Scene solver_scene(const Wave& wave, const std::string& with) {
+    if (wave.dim == 1) return scene_of<1>(wave, with);
+    if (wave.dim == 2) return scene_of<2>(wave, with);
+    return scene_of<3>(wave, with);
 }
 
-std::function<void(long)> solver_steps(const Wave& wave, const std::string& kernel) {
+std::function<void(long)> solver_steps(const Wave& wave, const std::string& words) {
+    const auto end = words.find(" with ");
+    const std::string kernel = words.substr(0, end);
+    const std::string with = end == std::string::npos ? "" : words.substr(end + 6);
     const Solver& solver = solver_named("mpm", "bench");
     Given options{{"basis", wave.degree == 1 ? "linear" : "quadratic"}, {"mass", "lumped"}, {"stress_update", "usl"}};
     if (wave.margin > 0) options["margin"] = static_cast<double>(wave.margin) / wave.cells[0];
+    if (with == "fixed_volume") options["volume"] = "fixed";
+    const std::vector<std::string> fields(with == "strain" ? 1 : 0, "strain");
     if (has_fast_kernel()) options["kernel"] = kernel;
     const Given resolution{{"cells", static_cast<double>(wave.cells[0])}, {"ppc", 2.0}, {"dt", wave.dt()}};
     std::shared_ptr<Simulation> simulation =
-        solver.start(solver_scene(wave), resolve(solver.options, options, "", "bench"),
-                     resolve(solver.resolution, resolution, "", "bench"), {});
+        solver.start(solver_scene(wave, with), resolve(solver.options, options, "", "bench"),
+                     resolve(solver.resolution, resolution, "", "bench"), fields);
     return [simulation, dt = wave.dt(), done = 0L](long steps) mutable {
         done += steps;
         simulation->advance_to(static_cast<double>(done) * dt, [] { return false; });

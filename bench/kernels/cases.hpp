@@ -8,7 +8,8 @@
 
 namespace ordo::bench {
 
-/// What runs, on what. `loop` is one of `loops_for`; the solver's are "solver readable" and "solver fast".
+/// What runs, on what. `loop` is one of `loops_for`; the solver's are "solver readable" and "solver fast", both also
+/// "... with body_force", "with damping", "with traction", "with strain" or "with fixed_volume".
 struct Case {
     std::string loop;
     int dim = 1;

@@ -1,6 +1,7 @@
 // Times of the solver's kernels as ratios to the bare loops, taken in turns in one process.
 //   ordo_kernels [ROUNDS [MOST_PARTICLES]]                          the table, as markdown; 9 rounds of 1e5 unless said
 //   ordo_kernels run LOOP DIM DEGREE staying|crossing CELLS STEPS   one loop, to count its instructions
+//   ordo_kernels loops                                              what LOOP may be of a bar, one a line
 //   ordo_kernels threads                                            what two threads gain on halves of a bare loop
 #include <algorithm>
 #include <barrier>
@@ -107,13 +108,18 @@ double wall_seconds(int threads, int cells, long steps) {
 
 void print_threads() {
     std::printf("| Particles | gain of two threads |\n|---|---|\n");
-    for (const int cells : {1600, 16'000, 160'000, 1'600'000}) {
-        const long steps = std::max(4L, 8'000'000L / cells);
+    for (const int cells : {16'000, 160'000, 1'600'000}) {
+        const long steps = std::max(4L, 2'000'000L / cells);
         double gain = 0;
-        for (int round = 0; round < 7; ++round)
+        for (int round = 0; round < 5; ++round)
             gain = std::max(gain, wall_seconds(1, cells, steps) / wall_seconds(2, cells, steps));
         std::printf("| %d | %.2f |\n", 2 * cells, gain);
+        std::fflush(stdout);
     }
+}
+
+void print_loops() {
+    for (const auto& loop : loops_for({})) std::printf("%s\n", loop.c_str());
 }
 
 void run_one(char** words) {
@@ -128,6 +134,7 @@ int main(int count, char** words) {
     try {
         const std::string first = count > 1 ? words[1] : "";
         if (first == "run" && count == 8) run_one(words + 2);
+        else if (first == "loops") print_loops();
         else if (first == "threads") print_threads();
         else print_table(first.empty() ? 9 : std::stoi(first), count > 2 ? std::stod(words[2]) : 1e5);
     } catch (const std::exception& fault) {
