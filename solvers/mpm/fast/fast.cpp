@@ -91,6 +91,7 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
         slots_.blocks()[static_cast<std::size_t>(slots_.block_of(seat.slot))].near = true;
         on_face_ = on_face_ || on_face(seat);
     });
+    for (std::size_t b = 0; b < near_.size(); ++b) order_.push_back(static_cast<int>(b));
     wake();
     begin();
 }

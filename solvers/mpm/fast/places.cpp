@@ -252,8 +252,9 @@ void FastMpm<dim>::wake() {
         }
         return any;
     };
-    for (Block& block : slots_.blocks()) {
-        if (block.awake || !(block.swept || due_ == 0)) continue;
+    for (const int number : order_) {
+        Block& block = slots_.blocks()[static_cast<std::size_t>(number)];
+        if (block.awake) continue;
         slots_.each_in(block, [&](Seat seat) { block.awake = block.awake || restless(seat); });
         dirty_ = dirty_ || block.awake;
         if (block.awake) continue;
