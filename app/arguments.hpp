@@ -1,6 +1,10 @@
 #pragma once
 // What several sub-commands ask of their words.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +29,24 @@ Format format_of(const po::variables_map& options, const std::map<std::string, F
 inline std::string one_report(const std::vector<std::string>& files, const std::string& command) {
     if (files.size() != 1) throw InputError(command, "takes one report; usage: " + command + " REPORT");
     return files.front();
+}
+
+/// The errors between the commas of an option, each a number above zero, there once; none where it is not given.
+inline std::vector<double> errors_of(const po::variables_map& options, const std::string& name,
+                                     const std::string& command) {
+    if (!options.contains(name)) return {};
+    const std::string where = command + " --" + name;
+    std::vector<double> errors;
+    std::istringstream list(options[name].as<std::string>() + ",");
+    for (std::string text; std::getline(list, text, ',');) {
+        double error = 0;
+        const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), error);
+        if (fault != std::errc() || end != text.data() + text.size() || !(error > 0) || !std::isfinite(error))
+            throw InputError(where, "'" + text + "' is no error above zero (nearest: 1e-2,1e-4)");
+        if (std::ranges::find(errors, error) != errors.end()) throw InputError(where, "'" + text + "' stands twice");
+        errors.push_back(error);
+    }
+    return errors;
 }
 
 }  // namespace ordo::app

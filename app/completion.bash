@@ -7,12 +7,12 @@ _ordo() {
     fi
     case "${COMP_WORDS[1]}" in
         list) words="--help scenes solvers oracles norms studies schema" ;;
-        run) words="--help --out --jobs --set" ;;
+        run) words="--help --out --jobs --time --set --no-cache --why-not-cached --verbose" ;;
         check) words="--help --against --times --verbose --junit --annotations --summary" ;;
         accept) words="--help --because --into" ;;
         history) words="--help --format" ;;
-        table) words="--help --format" ;;
-        plot) words="--help --out --against --format" ;;
+        table) words="--help --rank --format" ;;
+        plot) words="--help --out --against --reach --format" ;;
         oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;
         solve) words="--help --solver --t --set --out --format" ;;
         basis) words="--help --basis --show --option --cells --margin --ppc --translate --stretch --plot --format" ;;

@@ -4,15 +4,20 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "app/command.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
+#include "reports/cache/build.hpp"
+#include "reports/cache/run_cache.hpp"
 #include "reports/reference_kernel.hpp"
 #include "reports/report.hpp"
 #include "reports/table/table.hpp"
@@ -27,6 +32,8 @@ std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void ask_to_stop(int) { stop_asked = true; }
+
+constexpr std::size_t most_kept = 20'000;  // runs in the cache, about 80 MB of disk
 
 /// -o names the report of one study, or with a '/' at its end the folder for all of them.
 std::string output_of(const std::string& out, const studies::Study& study, std::size_t studies) {
@@ -68,41 +75,102 @@ std::vector<Job> jobs_from(const po::variables_map& options, const std::vector<s
 }
 
 int code_of(const studies::Result& result) {
-    const auto broken = [](const studies::Run& run) {
-        return run.status == studies::Status::failed || run.status == studies::Status::timed_out;
+    const auto broken = [&](const studies::Run& run) {
+        return run.status == studies::Status::failed ||
+               (run.status == studies::Status::timed_out && !result.study.time_out_allowed);
     };
     if (std::any_of(result.runs.begin(), result.runs.end(), broken)) return run_broken;
     return result.verdict == studies::Verdict::fail ? gate_failed : all_hold;
 }
 
-int run_job(const Job& job, int threads) {
-    const double kernel_before = reports::reference_kernel_seconds();
+bool is_made(const studies::Run& run) {
+    return run.origin == studies::Origin::made && run.status != studies::Status::skipped;
+}
+
+/// "runs: 2 made, 8 from the cache, 1 skipped"; "" where all were made.
+std::string origin_line(const std::vector<studies::Run>& runs) {
+    const auto made = std::ranges::count_if(runs, is_made);
+    if (made == std::ssize(runs)) return "";
+    std::string line = "runs: " + std::to_string(made) + " made";
+    const auto add = [&](std::ptrdiff_t count, const char* words) {
+        if (count > 0) line += ", " + std::to_string(count) + words;
+    };
+    add(std::ranges::count(runs, studies::Origin::cached, &studies::Run::origin), " from the cache");
+    add(std::ranges::count(runs, studies::Origin::shared, &studies::Run::origin), " equal to others");
+    add(std::ranges::count(runs, studies::Status::skipped, &studies::Run::status), " skipped");
+    return line + '\n';
+}
+
+/// What the studies of one call share.
+struct Session {
+    int threads;
+    bool timed;
+    bool why_not_cached;
+    bool verbose;
+    reports::RunCache cache;
+    double kernel_seconds = reports::reference_kernel_seconds();  ///< the last time that it was measured
+};
+
+/// What the cache has to say, on stderr.
+void tell(Session& session) {
+    for (const auto& description : session.cache.missed()) {
+        if (session.why_not_cached)
+            std::cerr << "ordo: not cached: " << one_line(session.cache.why_not(description)) << '\n';
+    }
+    for (const auto& complaint : session.cache.complaints()) {
+        if (session.verbose) std::cerr << "ordo: cache: " << one_line(complaint) << '\n';
+    }
+}
+
+/// The smaller of before and after the runs; NaN where none was made.
+double kernel_beside(const std::vector<studies::Run>& runs, Session& session) {
+    if (std::ranges::none_of(runs, is_made)) return std::nan("");
+    const double before = std::exchange(session.kernel_seconds, reports::reference_kernel_seconds());
+    return std::min(before, session.kernel_seconds);
+}
+
+int run_job(const Job& job, Session& session) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<studies::Run> runs;
     {
         ProgressLine line(job.study.name);
-        runs = studies::run_all(
-            job.study,
-            {.jobs = threads, .progress = [&](const auto& now) { line.show(now); }, .interrupted = &stop_asked});
+        studies::EngineOptions options{.jobs = session.threads,
+                                       .progress = [&](const auto& now) { line.show(now); },
+                                       .interrupted = &stop_asked,
+                                       .finished = session.timed ? nullptr : &session.cache};
+        if (session.timed) options.timing.emplace();
+        runs = studies::run_all(job.study, options);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    tell(session);
+    const double kernel_seconds = kernel_beside(runs, session);
     reports::Report report{studies::judged(job.study, std::move(runs)),
-                           reports::provenance_here(threads, seconds.count())};
-    report.provenance.kernel_seconds = std::min(kernel_before, reports::reference_kernel_seconds());
+                           reports::provenance_here(session.threads, seconds.count())};
+    report.provenance.kernel_seconds = kernel_seconds;
     reports::write_whole(job.output, reports::to_json(report));
-    std::cout << reports::table(report, reports::TableFormat::text) << "report: " << job.output << "\n" << std::flush;
+    std::cout << reports::table(report, reports::TableFormat::text) << origin_line(report.result.runs)
+              << "report: " << job.output << "\n"
+              << std::flush;
     return code_of(report.result);
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& files) {
-    const int threads = options["jobs"].as<int>();
+    const bool timed = options["time"].as<bool>();
+    const int threads = timed ? 1 : options["jobs"].as<int>();
     if (threads < 1 || threads > 1024)
         throw InputError("ordo run --jobs", "is " + std::to_string(threads) + ", but must be in [1, 1024]");
+    if (timed && !options["jobs"].defaulted() && options["jobs"].as<int>() != 1)
+        throw InputError("ordo run --time", "times runs one at a time (nearest: --jobs 1)");
     const auto jobs = jobs_from(options, files);
+    Session session{
+        threads, timed, options["why-not-cached"].as<bool>(), options["verbose"].as<bool>(),
+        reports::RunCache(options["no-cache"].as<bool>() ? "" : reports::cache_folder(), reports::build_of_figures())};
+    if (session.why_not_cached) session.cache.read_entries();
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     int code = all_hold;
-    for (const auto& job : jobs) code = std::max(code, run_job(job, threads));
+    for (const auto& job : jobs) code = std::max(code, run_job(job, session));
+    session.cache.trim(most_kept);
     return code;
 }
 
@@ -117,12 +185,19 @@ Command run_command() {
          "where the report goes; a folder if it ends with '/' (default ordo-reports/<study>.json)")
         ("jobs,j", po::value<int>()->value_name("N")->default_value(cores),
          "runs at a time; the results are the same for any number")
+        ("time", po::bool_switch(),
+         "time each run: alone, after a warm-up, again until the spread of the median is below 2 % (5 to 25 samples), or "
+         "1 s is used")
         ("set", po::value<std::vector<std::string>>()->value_name("path=value"),
-         "change one member of the study, for instance sweep.cells=4,8,16; may be repeated");
+         "change one member of the study, for instance sweep.cells=4,8,16; may be repeated")
+        ("no-cache", po::bool_switch(), "make every run, and keep none")
+        ("why-not-cached", po::bool_switch(),
+         "say of every run that is made which part of its key differs from the nearest one kept")
+        ("verbose,v", po::bool_switch(), "say which files of the cache are ignored, and why");
     // clang-format on
     return {.name = "run",
             .about = "run studies, write their reports, print their tables",
-            .usage = "STUDY... [-o REPORT] [--jobs N] [--set path=value]...",
+            .usage = "STUDY... [-o REPORT] [--jobs N] [--time] [--set path=value]... [--no-cache]",
             .examples = {"ordo run studies/wobbes_tielen_2015/vibrating_bar.json",
                          "ordo run studies/wobbes_tielen_2015/vibrating_bar_dt.json -o dt.json --set sweep.ppc=6"},
             .options = options,

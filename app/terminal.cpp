@@ -25,6 +25,8 @@ std::string run_line(const studies::Run& run) {
     std::string text = run.solver;
     for (const auto& [name, value] : run.axes) text += " " + name + "=" + shortest(value);
     text += ": " + studies::text_of(run.status);
+    if (run.origin == studies::Origin::cached) text += " (cached)";
+    if (run.origin == studies::Origin::shared) text += " (shared)";
     if (!run.reason.empty()) text += " (" + run.reason + ")";
     for (const auto& [name, value] : run.errors) text += fmt::format(" {} {:.4e}", name, value);
     return text;

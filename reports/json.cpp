@@ -1,4 +1,5 @@
 // A report as JSON and back.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,17 +27,19 @@ Json figures(const std::vector<studies::RunFigure>& from) {
 }
 
 Json run_json(const studies::Run& run) {
-    return {{"run", run.id},
-            {"solver", run.solver},
-            {"axes", figures(run.axes)},
-            {"h", number(run.h)},
-            {"dt", number(run.dt)},
-            {"t", number(run.t)},
-            {"status", studies::text_of(run.status)},
-            {"reason", run.reason},
-            {"errors", figures(run.errors)},
-            {"drift", figures(run.drift)},
-            {"work", figures(run.work)}};
+    Json json{{"run", run.id},
+              {"solver", run.solver},
+              {"axes", figures(run.axes)},
+              {"h", number(run.h)},
+              {"dt", number(run.dt)},
+              {"t", number(run.t)},
+              {"status", studies::text_of(run.status)},
+              {"reason", run.reason},
+              {"errors", figures(run.errors)},
+              {"drift", figures(run.drift)},
+              {"work", figures(run.work)}};
+    if (!run.skipped.empty()) json["skipped"] = figures(run.skipped);
+    return json;
 }
 
 Json series_json(const studies::Series& series) {
@@ -105,24 +108,13 @@ Json match_json(const studies::PublishedMatch& match) {
             {"judged", match.judged}};
 }
 
-Json provenance_json(const Report& report) {
-    const Provenance& from = report.provenance;
-    Json seconds = Json::array();
-    for (const auto& run : report.result.runs) seconds.push_back(number(run.seconds));
-    return {{"time_utc", from.time_utc},
-            {"ordo_version", from.ordo_version},
-            {"revision", from.revision},
-            {"compiler", from.compiler},
-            {"flags", from.flags},
-            {"build_type", from.build_type},
-            {"libraries", from.libraries},
-            {"cpu", from.cpu},
-            {"cores", from.cores},
-            {"os", from.os},
-            {"jobs", from.jobs},
-            {"seconds", number(from.seconds)},
-            {"run_seconds", std::move(seconds)},
-            {"kernel_seconds", number(from.kernel_seconds)}};
+/// Ids of the runs whose figures come from there.
+Json runs_of(const studies::Result& result, studies::Origin origin) {
+    Json ids = Json::array();
+    for (const auto& run : result.runs) {
+        if (run.origin == origin) ids.push_back(run.id);
+    }
+    return ids;
 }
 
 template <class T, class F>
@@ -130,6 +122,37 @@ Json list(const std::vector<T>& items, F&& as_json) {
     Json array = Json::array();
     for (const auto& item : items) array.push_back(as_json(item));
     return array;
+}
+
+bool is_timed(const studies::Run& run) { return run.repeats.has_value(); }
+Json spread_json(const studies::Run& run) { return run.repeats ? number(run.repeats->spread) : Json(nullptr); }
+Json repetitions_json(const studies::Run& run) { return run.repeats ? run.repeats->number : 1; }
+
+Json provenance_json(const Report& report) {
+    const Provenance& from = report.provenance;
+    Json seconds = Json::array();
+    for (const auto& run : report.result.runs) seconds.push_back(number(run.seconds));
+    Json json{{"time_utc", from.time_utc},
+              {"ordo_version", from.ordo_version},
+              {"revision", from.revision},
+              {"compiler", from.compiler},
+              {"flags", from.flags},
+              {"build_type", from.build_type},
+              {"libraries", from.libraries},
+              {"cpu", from.cpu},
+              {"cores", from.cores},
+              {"os", from.os},
+              {"jobs", from.jobs},
+              {"seconds", number(from.seconds)},
+              {"run_seconds", std::move(seconds)},
+              {"cached", runs_of(report.result, studies::Origin::cached)},
+              {"shared", runs_of(report.result, studies::Origin::shared)},
+              {"kernel_seconds", number(from.kernel_seconds)}};
+    if (std::ranges::any_of(report.result.runs, is_timed)) {
+        json["run_spreads"] = list(report.result.runs, spread_json);
+        json["run_repetitions"] = list(report.result.runs, repetitions_json);
+    }
+    return json;
 }
 
 double number_or_nan(const Node& node) { return node.json().is_null() ? std::nan("") : node.number(); }
@@ -156,7 +179,7 @@ std::vector<studies::RunFigure> figures_from(const Node& node) {
 }
 
 studies::Run run_from(const Node& node) {
-    node.only({"run", "solver", "axes", "h", "dt", "t", "status", "reason", "errors", "drift", "work"});
+    node.only({"run", "solver", "axes", "h", "dt", "t", "status", "reason", "errors", "drift", "work", "skipped"});
     studies::Run run;
     run.id = whole(node.at("run"));
     run.solver = node.at("solver").text();
@@ -164,18 +187,31 @@ studies::Run run_from(const Node& node) {
     run.h = number_or_nan(node.at("h"));
     run.dt = number_or_nan(node.at("dt"));
     run.t = number_or_nan(node.at("t"));
-    run.status =
-        static_cast<studies::Status>(node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out"}));
+    run.status = static_cast<studies::Status>(
+        node.at("status").one_of({"ok", "reference", "diverged", "failed", "timed_out", "skipped"}));
     run.reason = node.at("reason").text();
     run.errors = figures_from(node.at("errors"));
     run.drift = figures_from(node.at("drift"));
     run.work = figures_from(node.at("work"));
+    if (node.has("skipped")) run.skipped = figures_from(node.at("skipped"));
     return run;
+}
+
+/// How often each run was repeated, and the spread; empty where runs were not timed by themselves.
+std::vector<studies::Repeats> repeats_from(const Node& provenance) {
+    if (!provenance.has("run_repetitions") || !provenance.has("run_spreads")) return {};
+    const auto numbers = entries(provenance.at("run_repetitions"));
+    const auto spreads = entries(provenance.at("run_spreads"));
+    if (numbers.size() != spreads.size()) provenance.at("run_spreads").refuse("must be as long as run_repetitions");
+    std::vector<studies::Repeats> repeats;
+    for (std::size_t i = 0; i < numbers.size(); ++i) repeats.push_back({whole(numbers[i]), number_or_nan(spreads[i])});
+    return repeats;
 }
 
 Provenance provenance_from(const Node& node) {
     node.only({"time_utc", "ordo_version", "revision", "compiler", "flags", "build_type", "libraries", "cpu", "cores",
-               "os", "jobs", "seconds", "run_seconds", "kernel_seconds"});
+               "os", "jobs", "seconds", "run_seconds", "run_spreads", "run_repetitions", "cached", "shared",
+               "kernel_seconds"});
     return {.time_utc = node.at("time_utc").text(),
             .ordo_version = node.at("ordo_version").text(),
             .revision = node.at("revision").text(),
@@ -189,6 +225,16 @@ Provenance provenance_from(const Node& node) {
             .jobs = whole(node.at("jobs")),
             .seconds = number_or_nan(node.at("seconds")),
             .kernel_seconds = node.has("kernel_seconds") ? number_or_nan(node.at("kernel_seconds")) : std::nan("")};
+}
+
+/// Says of the runs of that list where they come from; reports of an earlier time have no such list.
+void mark(std::vector<studies::Run>& runs, const Node& provenance, const char* list, studies::Origin origin) {
+    if (!provenance.has(list)) return;
+    for (const auto& item : entries(provenance.at(list))) {
+        const int id = whole(item);
+        if (id < 0 || static_cast<std::size_t>(id) >= runs.size()) item.refuse("is no run");
+        runs[static_cast<std::size_t>(id)].origin = origin;
+    }
 }
 
 }  // namespace
@@ -220,6 +266,7 @@ Report report_from_json(const std::string& text, const std::string& where) {
     const auto study = studies::study_from_text(root.at("study").json().dump(), where + ": /study", "");
     const auto provenance = root.at("provenance");
     const auto seconds = entries(provenance.at("run_seconds"));
+    const auto repeats = repeats_from(provenance);
     std::vector<studies::Run> runs;
     for (const auto& item : entries(root.at("runs"))) {
         runs.push_back(run_from(item));
@@ -227,7 +274,10 @@ Report report_from_json(const std::string& text, const std::string& where) {
             item.at("run").refuse("must be the place of the run in the list");
         const bool timed = runs.size() <= seconds.size();
         runs.back().seconds = timed ? number_or_nan(seconds[runs.size() - 1]) : std::nan("");
+        if (runs.size() <= repeats.size()) runs.back().repeats = repeats[runs.size() - 1];
     }
+    mark(runs, provenance, "cached", studies::Origin::cached);
+    mark(runs, provenance, "shared", studies::Origin::shared);
     return {studies::judged(study, std::move(runs)), provenance_from(provenance)};
 }
 

@@ -170,7 +170,8 @@ std::string study_schema() {
                               {"measure", measure_schema()},
                               {"expect", one_or_any(expectation_schema())},
                               {"published", one_or_any(published_schema())},
-                              {"allow", one_or_any(words({"diverged"}))},
+                              {"allow", one_or_any(words({"diverged", "timed_out"}))},
+                              {"stop", words({"when_decided"})},
                               {"timeout_s", above_zero}},
                              {"study", "scene", "solvers", "sweep", "measure"});
     schema.update(body);

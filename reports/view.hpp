@@ -21,7 +21,7 @@ std::vector<View> views_of(const studies::Result& result);
 /// Run with that id; std::logic_error when there is none, since a series names runs of its own result.
 const studies::Run& run_of(const studies::Result& result, int id);
 
-/// It blew up, threw or passed its time: it has no error to show.
+/// It blew up, threw, passed its time or was skipped: it has no error to show.
 bool stopped(const studies::Run& run);
 
 /// The fits of this quantity along this series.

@@ -3,7 +3,7 @@
 # Every failure here is one of the environment: exit code 4, as the command `ordo` has it.
 
 build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev libboost-math-dev libboost-program-options-dev
-    libgsl-dev nlohmann-json3-dev libfmt-dev gnuplot-nox fonts-dejavu-core)
+    libgsl-dev nlohmann-json3-dev libfmt-dev libxxhash-dev gnuplot-nox fonts-dejavu-core)
 test_packages=("${build_packages[@]}" catch2 libvalijson-dev python3-jsonschema)
 
 fail() {

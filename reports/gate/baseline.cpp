@@ -74,6 +74,16 @@ double time_ratio(const Report& report) {
     return seconds / report.provenance.kernel_seconds;
 }
 
+double time_spread(const Report& report) {
+    double seconds = 0;
+    double squares = 0;
+    for (const auto& run : report.result.runs) {
+        seconds += run.seconds;
+        if (run.repeats && run.repeats->number > 1) squares += std::pow(run.repeats->spread * run.seconds, 2);
+    }
+    return squares > 0 ? std::sqrt(squares) / seconds : 0;
+}
+
 std::string baseline_path(const std::string& folder, const std::string& study) {
     return folder + "/" + safe_path(study) + ".json";
 }

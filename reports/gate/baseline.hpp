@@ -50,6 +50,9 @@ Baseline baseline_of(const std::vector<Report>& report_and_twins, const std::vec
 /// Thread time of all runs over the time of the reference kernel in the same process; NaN where it was not measured.
 double time_ratio(const Report& report);
 
+/// Relative spread of that time where the runs were repeated, as of independent ones; 0 where each was timed once.
+double time_spread(const Report& report);
+
 /// DIR/<study>.json, with every character of the name made safe.
 std::string baseline_path(const std::string& folder, const std::string& study);
 

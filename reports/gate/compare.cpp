@@ -165,13 +165,15 @@ Check no_baseline(const std::string& path) {
 Check time_check(const Report& report, const Baseline& baseline, double factor) {
     const double now = time_ratio(report);
     const double ratio = now / baseline.time_ratio;
-    const bool inside = 1 / factor <= ratio && ratio <= factor;
+    const double spread = time_spread(report);
+    const bool inside = 1 / factor <= ratio * (1 - spread) && ratio * (1 + spread) <= factor;
+    const std::string scatter = spread > 0 ? fmt::format(" +- {:.2g} %", 100 * spread) : "";
     return check_of(fmt::format("time within a factor {} of the accepted", shortest(factor)), "time of all runs",
                     baseline, inside ? Fault::none : Fault::time_changed,
                     std::isnan(ratio)
                         ? "one of both reports holds no time"
-                        : fmt::format("{:.3g} times the accepted: {:.4g} reference kernels, accepted {:.4g}", ratio,
-                                      now, baseline.time_ratio));
+                        : fmt::format("{:.3g}{} times the accepted: {:.4g} reference kernels, accepted {:.4g}", ratio,
+                                      scatter, now, baseline.time_ratio));
 }
 
 std::vector<Change> changes(const Baseline& before, const Baseline& now) {

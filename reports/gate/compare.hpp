@@ -16,7 +16,8 @@ std::vector<studies::Check> checks_against(const Report& report, const Baseline&
 /// The failed check of a report without a baseline; `path` is where it was looked for.
 studies::Check no_baseline(const std::string& path);
 
-/// Whether the report's time over that of the reference kernel is inside [1/factor, factor] times the accepted one.
+/// Whether the report's time over that of the reference kernel, with its whole spread, is inside [1/factor, factor]
+/// times the accepted one.
 studies::Check time_check(const Report& report, const Baseline& baseline, double factor);
 
 /// What is wrong with a figure of now, `value`; none only where it is inside the accepted interval, or both have none.

@@ -1,11 +1,12 @@
 #include "reports/gate/steps.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
+
+#include "studies/order/distributions.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -58,9 +59,8 @@ Noise noise_between(const std::vector<Place>& places) {
 }
 
 double penalty_of(double freedom, std::size_t places) {
-    const boost::math::students_t student(std::max(freedom, 1.0));
     const double tail = false_alarms / (2 * static_cast<double>(places));
-    const double bound = boost::math::quantile(boost::math::complement(student, tail));
+    const double bound = studies::student_bound(std::max(freedom, 1.0), tail);
     return bound * bound;
 }
 

@@ -173,6 +173,7 @@ std::string missing_words(const Result& result, const Series& series, const std:
     return counted(with(Status::diverged), "run", "runs", "diverged") +
            counted(with(Status::failed), "run", "runs", "failed") +
            counted(with(Status::timed_out), "run", "runs", "timed out") +
+           counted(with(Status::skipped), "level", "levels", "skipped") +
            counted(off_the_axes, "error", "errors", "zero or not finite");
 }
 
@@ -188,7 +189,9 @@ Layout layout_of(const Result& result, const View& view) {
 }
 
 Layout layout_of(std::vector<Curve> curves) {
-    Layout layout{.curves = std::move(curves), .triangles = {}, .x = {}, .y = {}, .solid = true};
+    Layout layout;
+    layout.curves = std::move(curves);
+    layout.solid = true;
     const auto segments = segments_of(layout.curves);
     layout.empty = segments.empty();
     set_ranges(layout, box_of(segments));

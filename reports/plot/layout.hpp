@@ -13,7 +13,8 @@ namespace ordo::reports {
 struct CurvePoint {
     Point at;
     bool drawn = false;
-    bool used = true;  ///< by a fit
+    bool used = true;   ///< by a fit
+    double spread = 0;  ///< of the abscissa, relative: half a bar's length; 0: no bar
 };
 
 /// One series: its points coarse to fine, each fitted line from coarse to fine, and its legend entry.
@@ -28,8 +29,13 @@ struct Layout {
     std::vector<Triangle> triangles;  ///< one for each expected order
     Interval x;
     Interval y;
-    bool empty = false;  ///< nothing can be drawn
-    bool solid = false;  ///< the line that joins the points of a curve; dotted beside fitted lines
+    bool empty = false;                ///< nothing can be drawn
+    bool solid = false;                ///< the line that joins the points of a curve; dotted beside fitted lines
+    std::vector<Point> front;          ///< drawn behind the curves as a staircase; empty: none
+    std::vector<Point> crossovers;     ///< where the lead changes: marked by rings
+    std::vector<double> levels;        ///< errors asked for: lines across the picture
+    std::vector<Point> reached;        ///< where curves meet them: marked on the line
+    std::vector<std::string> remarks;  ///< lines of the legend without a curve
 };
 
 /// Finite and positive: it has a logarithm.

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "reports/files.hpp"
+#include "reports/plot/board.hpp"
 #include "reports/plot/script.hpp"
 #include "solvers/solver.hpp"
 
@@ -66,17 +67,23 @@ std::vector<Drawing> figures(const Report& report, PlotFormat format) {
     return all;
 }
 
-std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost) {
+std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost, const std::vector<double>& errors) {
     refuse_without(report.result, cost);
     std::vector<Drawing> all;
     for (const auto& quantity : report.result.study.measure.quantities) {
         if (quantity.against == studies::Against::itself) continue;
         const std::string name = file_name(report.result.study, quantity, text_of(cost));
-        const Layout layout = layout_of(report.result, quantity, cost);
+        const Layout layout = layout_of(report.result, quantity, cost, errors);
         const Words words = cost_words(report, quantity, cost);
         all.push_back({name, script_of(layout, words, format, name + ending_of(format))});
     }
     return all;
+}
+
+Drawing board(const std::vector<Report>& reports, PlotFormat format, Cost cost) {
+    for (const auto& report : reports) refuse_without(report.result, cost);
+    const std::string name = "board-" + text_of(cost);
+    return {name, script_of(board_of(reports, cost), format, name + ending_of(format))};
 }
 
 std::vector<std::string> draw(const std::vector<Drawing>& figures, const std::string& folder, PlotFormat format) {

@@ -20,8 +20,14 @@ struct Drawing {
 std::vector<Drawing> figures(const Report& report, PlotFormat format);
 
 /// One log-log figure for each quantity, all series in it: error over the cost of the run, points joined from coarse to
-/// fine. Throws InputError when runs ended and none of them has a cost above zero.
-std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost);
+/// fine, and what it takes to reach each of `errors`. Throws InputError when runs ended and none of them has a cost
+/// above zero.
+std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost,
+                             const std::vector<double>& errors = {});
+
+/// One figure with a panel for each report, its first quantity over the cost; series of one label look alike in all of
+/// them. Throws InputError as above.
+Drawing board(const std::vector<Report>& reports, PlotFormat format, Cost cost);
 
 /// Writes NAME.gp of each figure and has gnuplot draw NAME.svg, .pdf or .png beside it; returns the files made. Throws
 /// InputError when the folder cannot be written into, EnvironmentError when gnuplot is missing or fails; the .gp files

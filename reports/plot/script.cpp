@@ -28,16 +28,43 @@ std::string point_rows(const Curve& curve) {
     return rows;
 }
 
-std::string data_blocks(const Layout& layout) {
+/// Abscissa, error, and the ends of the bar of each point that has one.
+std::string bar_rows(const Curve& curve) {
+    std::string rows;
+    for (const auto& [at, drawn, used, spread] : curve.points) {
+        if (!drawn || !(spread > 0)) continue;
+        rows += pair_text(at) + " " + pair_text({at.x * std::max(1 - spread, 1e-3), at.x * (1 + spread)}) + "\n";
+    }
+    return rows;
+}
+
+std::string pair_rows(const std::vector<Point>& points) {
+    std::string rows;
+    for (const auto& point : points) rows += pair_text(point) + "\n";
+    return rows;
+}
+
+/// Data of what a layout has beside its curves; nothing for what it has not.
+std::string mark_blocks(const Layout& layout) {
     std::string text;
+    if (!layout.front.empty()) text += data_block("front", pair_rows(layout.front));
+    if (!layout.crossovers.empty()) text += data_block("crossovers", pair_rows(layout.crossovers));
+    if (!layout.reached.empty()) text += data_block("reached", pair_rows(layout.reached));
+    for (std::size_t i = 0; i < layout.levels.size(); ++i) {
+        const double level = layout.levels[i];
+        text += data_block(fmt::format("level{}", i), pair_rows({{layout.x.low, level}, {layout.x.high, level}}));
+    }
+    return text;
+}
+
+std::string data_blocks(const Layout& layout) {
+    std::string text = mark_blocks(layout);
     for (std::size_t i = 0; i < layout.curves.size(); ++i) {
         const Curve& curve = layout.curves[i];
         text += data_block(fmt::format("points{}", i), point_rows(curve));
-        for (std::size_t k = 0; k < curve.fits.size(); ++k) {
-            std::string rows;
-            for (const auto& point : curve.fits[k]) rows += pair_text(point) + "\n";
-            text += data_block(fmt::format("fit{}_{}", i, k), rows);
-        }
+        if (const std::string bars = bar_rows(curve); !bars.empty()) text += data_block(fmt::format("bars{}", i), bars);
+        for (std::size_t k = 0; k < curve.fits.size(); ++k)
+            text += data_block(fmt::format("fit{}_{}", i, k), pair_rows(curve.fits[k]));
     }
     for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
         const auto& [left, right, angle] = layout.triangles[i].corners;
@@ -64,8 +91,9 @@ struct Legend {
 
 Legend legend_shape(const Layout& layout) {
     const auto is_long = [](const Curve& curve) { return width_of(curve.legend) > widest_legend / 2; };
-    const std::size_t entries = layout.curves.size();
-    const std::size_t columns = entries < 3 || std::ranges::any_of(layout.curves, is_long) ? 1 : 2;
+    const std::size_t entries = layout.curves.size() + layout.remarks.size() + (layout.front.empty() ? 0 : 1);
+    const std::size_t columns =
+        entries < 3 || !layout.remarks.empty() || std::ranges::any_of(layout.curves, is_long) ? 1 : 2;
     return {columns, (entries + columns - 1) / columns};
 }
 
@@ -112,18 +140,50 @@ void add_curve(std::vector<std::string>& plots, const Curve& curve, std::size_t 
         };
         plots.push_back(markers(1, filled));
         plots.push_back(markers(0, hollow));
+        if (!bar_rows(curve).empty())
+            plots.push_back(fmt::format("$bars{} using 1:2:3:4 with xerrorbars pointtype -1 {} notitle", i, colour));
     }
     plots.push_back(fmt::format("keyentry with {} linewidth 2 pointsize 1.1 pointtype {} {} title {}",
                                 curve.fits.empty() && !solid ? "points" : "linespoints", filled, colour,
                                 quoted(clipped(curve.legend, widest_legend))));
 }
 
+/// Behind the curves: the front as a staircase, and a line at each error asked for.
+void add_backdrop(std::vector<std::string>& plots, const Layout& layout) {
+    if (!layout.front.empty()) {
+        plots.push_back("$front using 1:2 with steps linewidth 7 linecolor '#dddddd' notitle");
+        plots.push_back(
+            "keyentry with lines linewidth 7 linecolor '#dddddd' title 'least error for at most that cost: "
+            "the Pareto front is its corners'");
+    }
+    for (std::size_t i = 0; i < layout.levels.size(); ++i)
+        plots.push_back(
+            fmt::format("$level{} using 1:2 with lines linewidth 1 dashtype 2 linecolor '#777777' notitle", i));
+}
+
+/// Over the curves: rings where the lead changes, ticks where an error asked for is met, and the remarks.
+void add_marks(std::vector<std::string>& plots, const Layout& layout) {
+    if (!layout.crossovers.empty())
+        plots.push_back(
+            "$crossovers using 1:2 with points pointtype 6 pointsize 2.4 linewidth 1.5 linecolor '#000000' "
+            "notitle");
+    if (!layout.reached.empty())
+        plots.push_back(
+            "$reached using 1:2 with points pointtype 1 pointsize 1.2 linewidth 1.2 linecolor '#000000' "
+            "notitle");
+    for (const auto& remark : layout.remarks)
+        plots.push_back("keyentry with lines linewidth 0.1 linecolor '#ffffff' title " +
+                        quoted(clipped(remark, widest_legend)));
+}
+
 std::string plot_command(const Layout& layout) {
     std::vector<std::string> plots{"NaN notitle"};
+    add_backdrop(plots, layout);
     for (std::size_t i = 0; i < layout.triangles.size(); ++i) {
         plots.push_back(fmt::format("$triangle{} using 1:2 with lines linewidth 1 linecolor '#444444' notitle", i));
     }
     for (std::size_t i = 0; i < layout.curves.size(); ++i) add_curve(plots, layout.curves[i], i, layout.solid);
+    add_marks(plots, layout);
     return "plot " + joined(plots, ", \\\n     ") + "\n";
 }
 

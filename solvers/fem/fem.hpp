@@ -28,6 +28,9 @@ struct Step {
 ///
 /// Held ends follow face_velocity at the velocity's time, from t = 0 on, whatever the scene's initial velocity there.
 /// Loads are taken at the start of a step. A deformed start is interpolated from its displacement at the nodes.
+/// Nodes at rest between two equal stresses stay there and are not touched, with lumped mass and without body force.
+/// They join where the stress beside them changes: a node a step at most, and only where F differs from 1 by more than
+/// round-off, so that no wave runs ahead in numbers too small to matter.
 /// source   [Hughes2000]
 class Bar {
 public:
@@ -55,6 +58,7 @@ public:
     double mass() const { return M_.total(); }                   ///< [kg]
     double h() const { return h_; }                              ///< undeformed width of an element [m]
     double momentum() const;                                     ///< sum of M v [kg m/s]
+    std::size_t active() const { return total(active_); }        ///< nodes that the next step will touch
     double impulse() const { return impulse_; }  ///< of reactions, tractions, body force and damping so far [kg m/s]
 
 private:
@@ -62,15 +66,21 @@ private:
     void gather_forces(double t);       // f_, and external_ their sum: P has none
     void accelerate(const Step& step);  // a_ = dv/kick + alpha (v_old + v_new)/2, also at held ends
     void kick(double kick);             // v_
-    void move(const Step& step);        // u_, F_, P_
-    void deform(double t);              // F_, P_
+    void kick_damped(double kick);
+    void move(const Step& step);              // u_, F_, P_
+    void deform(double t, Stretch elements);  // F_, P_
+    [[noreturn]] void refuse(double t, Stretch elements) const;
+    void find_active();
+    void spread();  // active_ after P_ has changed
+    void gather_forces_and_body(double t, const std::array<double, 2>& pull);
     void add_body_force(double t);
-    void add_traction(double t);
+    std::array<double, 2> tractions(double t);
     void face_velocities(double t);
 
     double h_;
     double rho_;
     bool body_force_lumped_;
+    bool skip_quiet_;
     std::array<bool, 2> held_;
     Mass M_;
     Material material_;
@@ -81,8 +91,9 @@ private:
     std::vector<Vec<1>> X_;
     std::vector<Vec<1>> body_X_, body_;  ///< where the body force is taken, and it; empty where the scene has none
     std::vector<double> u_, v_, a_, f_, F_, P_;
-    double external_ = 0;   ///< sum of body force and tractions now [N]
-    double reactions_ = 0;  ///< their sum now [N]
+    std::vector<Stretch> active_;  ///< nodes that a step may change, both ends always among them
+    double external_ = 0;          ///< sum of body force and tractions now [N]
+    double reactions_ = 0;         ///< their sum now [N]
     double impulse_ = 0;
 };
 

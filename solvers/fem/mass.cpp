@@ -1,5 +1,6 @@
 #include "solvers/fem/mass.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace ordo::solvers::fem {
@@ -23,22 +24,32 @@ Mass::Mass(int cells, double element_mass, bool lumped, std::array<bool, 2> held
     }
 }
 
-double Mass::accelerate(std::span<const double> f, std::span<double> a) const {
+double Mass::accelerate(std::span<const double> f, std::span<double> a, std::span<const Stretch> nodes) const {
     const int end = static_cast<int>(a.size()) - 1;
-    for (int i = first_; i <= last_; ++i) a[i] = f[i];
     if (beside_ == 0) {
-        for (int i = first_; i <= last_; ++i) a[i] /= pivots_[i];
-    } else if (first_ <= last_) {
-        if (first_ > 0) a[first_] -= beside_ * a[0];
-        if (last_ < end) a[last_] -= beside_ * a[end];
-        for (int i = first_ + 1; i <= last_; ++i) a[i] -= factor_[i] * a[i - 1];
-        for (int i = first_; i <= last_; ++i) a[i] /= pivots_[i];
-        for (int i = last_; i > first_; --i) a[i - 1] -= factor_[i] * a[i];
+        for (const Stretch& s : nodes) {
+            const int to = std::min(static_cast<int>(s.to), last_ + 1);
+            for (int i = std::max(static_cast<int>(s.from), first_); i < to; ++i) a[i] = f[i] / pivots_[i];
+        }
+    } else {
+        solve(f, a);
     }
     double reactions = 0;
     if (first_ > 0) reactions += reaction(0, 1, f, a);
     if (last_ < end) reactions += reaction(end, end - 1, f, a);
     return reactions;
+}
+
+/// The free nodes of the coupled system.
+void Mass::solve(std::span<const double> f, std::span<double> a) const {
+    const int end = static_cast<int>(a.size()) - 1;
+    if (first_ > last_) return;
+    for (int i = first_; i <= last_; ++i) a[i] = f[i];
+    if (first_ > 0) a[first_] -= beside_ * a[0];
+    if (last_ < end) a[last_] -= beside_ * a[end];
+    for (int i = first_ + 1; i <= last_; ++i) a[i] -= factor_[i] * a[i - 1];
+    for (int i = first_; i <= last_; ++i) a[i] /= pivots_[i];
+    for (int i = last_; i > first_; --i) a[i - 1] -= factor_[i] * a[i];
 }
 
 double Mass::total() const { return std::accumulate(row_sums_.begin(), row_sums_.end(), 0.0); }

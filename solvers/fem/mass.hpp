@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "solvers/stretches.hpp"
+
 namespace ordo::solvers::fem {
 
 /// Symmetric and tridiagonal, of cells + 1 nodes; an element of mass m_e adds m_e/6 [2 1; 1 2], lumped m_e/2 [1 0; 0
@@ -17,13 +19,15 @@ public:
     /// M a = f + r for given a at held nodes and r = 0 at free ones.
     ///
     /// f   force, nodes [N]      a   in: acceleration of held nodes; out: of all [m/s^2]
+    /// nodes   lumped: those whose a is asked for, both ends among them; consistent: all, since all are coupled
     /// Returns the sum of the reactions r [N]. Exact up to round-off; costs O(nodes), allocates nothing.
-    double accelerate(std::span<const double> f, std::span<double> a) const;
+    double accelerate(std::span<const double> f, std::span<double> a, std::span<const Stretch> nodes) const;
 
     std::span<const double> row_sums() const { return row_sums_; }  ///< the lumped mass, nodes [kg]
     double total() const;                                           ///< sum of all entries [kg]
 
 private:
+    void solve(std::span<const double> f, std::span<double> a) const;
     double reaction(int node, int neighbour, std::span<const double> f, std::span<const double> a) const {
         return diagonal_[node] * a[node] + beside_ * a[neighbour] - f[node];
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solvers/materials/law.hpp"
+#include "solvers/stretches.hpp"
 
 namespace ordo::solvers::fem {
 
@@ -17,9 +18,9 @@ struct ClosedMaterial {
 
     ClosedMaterial(const L& given, std::size_t) : law(given) {}
 
-    /// P[e] [Pa] of F[e] > 0 [-].
-    void stress(std::span<const double> F, std::span<double> P) {
-        for (std::size_t e = 0; e < F.size(); ++e) P[e] = law.template cauchy<1>(Tensor<1>(F[e]))(0, 0);
+    /// P[e] [Pa] of F[e] > 0 [-] in these elements.
+    void stress(std::span<const double> F, std::span<double> P, Stretch elements) {
+        for (std::size_t e = elements.from; e < elements.to; ++e) P[e] = law.template cauchy<1>(Tensor<1>(F[e]))(0, 0);
     }
 };
 
@@ -36,9 +37,10 @@ struct HistoryMaterial {
 
     HistoryMaterial(const L& given, std::size_t elements) : law(given), points(elements) {}
 
-    /// P[e] [Pa] after the way to F[e] > 0 [-] in one increment.
-    void stress(std::span<const double> F, std::span<double> P) {
-        for (std::size_t e = 0; e < F.size(); ++e) {
+    /// P[e] [Pa] after the way to F[e] > 0 [-] in one increment; it stays where F does.
+    void stress(std::span<const double> F, std::span<double> P, Stretch elements) {
+        for (std::size_t e = elements.from; e < elements.to; ++e) {
+            if (F[e] == points[e].F) continue;
             const Tensor<1> dL(std::log(F[e] / points[e].F));
             P[e] = law.template updated<1>(points[e].history, dL)(0, 0);
             points[e].F = F[e];

@@ -13,6 +13,7 @@ struct Options {
     bool leapfrog = true;            ///< the first kick is dt/2; otherwise symplectic Euler
     bool body_force_lumped = false;  ///< taken at the nodes; otherwise by two Gauss points an element
     bool at_centres = false;         ///< where a snapshot's points are; otherwise at the nodes
+    bool skip_quiet = true;          ///< nodes at rest without force; not declared: the bits are the same
 };
 
 /// How finely: equal elements, their undeformed width h [m], and the step [s].

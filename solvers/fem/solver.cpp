@@ -20,6 +20,7 @@ public:
 
     void advance_to(double t, const Interrupt& interrupt) override {
         in_equal_steps(t_, t, dt_, interrupt, [&](double now, double dt) {
+            touched_ += static_cast<double>(bar_.active());
             bar_.step({.t = now,
                        .dt = dt,
                        .kick = options_.leapfrog ? 0.5 * (last_dt_ + dt) : dt,
@@ -45,6 +46,12 @@ public:
     std::vector<Figure> work() const override {
         const double steps = static_cast<double>(steps_);
         return {{"steps", steps}, {"element_steps", steps * static_cast<double>(bar_.F().size())}};
+    }
+
+    std::vector<Skipped> skipped() const override {
+        if (steps_ == 0) return {};
+        const double all = static_cast<double>(steps_) * static_cast<double>(bar_.u().size());
+        return {{"updates of quiet nodes", 1 - touched_ / all}};
     }
 
     /// Mass: all entries of the matrix against rho L. Momentum: its change against the impulse of reactions, tractions,
@@ -115,6 +122,7 @@ private:
     double t_ = 0;
     double last_dt_ = 0;
     long steps_ = 0;
+    double touched_ = 0;  ///< nodes, summed over the steps
 };
 
 Claim claim(const Values& values) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "solvers/godunov/active.hpp"
 #include "solvers/godunov/columns.hpp"
 #include "solvers/godunov/options.hpp"
 #include "solvers/solver.hpp"
@@ -25,21 +26,25 @@ struct Cells {
     Columns left, right;        ///< used where cells are linear
 };
 
-/// The passes over all cells of a step; each is one loop for each kind of medium, limiter and flux, chosen before it.
+/// The passes over a stretch of cells in a step; each is one loop for each kind of medium, limiter and flux, chosen
+/// before it.
 
-/// v, third and speed of all cells. Returns the largest speed [m/s]; NaN where a cell is no matter waves can run
-/// through.
-double measure_cells(const Medium& medium, Cells& cells);
+/// v, third and speed of cells; the speed is NaN where a cell is no matter waves can run through.
+void measure_cells(const Medium& medium, Stretch cells, Cells& row);
 
-/// left and right of all cells but the first and the last, half of `step_by_h` = dt / h [s/m] ahead in time.
-void reconstruct(const Medium& medium, const Limiter& limiter, double step_by_h, Cells& cells);
+/// The largest of these speeds [m/s]; NaN where one is.
+double fastest_of(std::span<const double> speeds);
+
+/// left and right of cells, half of `step_by_h` = dt / h [s/m] ahead in time. Reads v and third of one more on each
+/// side.
+void reconstruct(const Medium& medium, const Limiter& limiter, double step_by_h, Stretch cells, Cells& row);
 
 /// left and right that are no matter become the mean of their cell.
-void repair(const Medium& medium, Cells& cells);
+void repair(const Medium& medium, Stretch cells, Cells& row);
 
-/// through[i] between before[i] and behind[i + 1] for i = 1 to n - 3. Returns whether all these states are matter.
+/// through[i] between before[i] and behind[i + 1]. Returns whether all these states are matter.
 bool pass_faces(const Medium& medium, const Options& options, const Columns& before, const Columns& behind,
-                Columns& through);
+                Stretch faces, Columns& through);
 
 /// Equal cells between two fixed places, two more beyond each end.
 ///
@@ -48,7 +53,8 @@ bool pass_faces(const Medium& medium, const Options& options, const Columns& bef
 /// First order: the states are the means. Second: means -+ half of the limited rise of density, velocity and pressure
 /// (elastic: temperature), both ahead by dt / (2 h) (flux(left) - flux(right)); where that is no matter, the mean.
 /// Beyond a reservoir the first contents of the end piece are held: right until a wave gets there. What comes in from
-/// held contents is right up to the cube of their jump, as the Riemann solver is.
+/// held contents is right up to the cube of their jump, as the Riemann solver is. Cells that no difference reaches are
+/// not touched; see Active.
 /// source   [Godunov1959], [VanLeer1979], [Toro2009, ch. 14]
 class Grid {
 public:
@@ -56,12 +62,13 @@ public:
     Grid(const LineScene& scene, const Options& options, const Resolution& resolution);
 
     /// Largest |v| + a of all cells [m/s]. Throws Diverged, with the place, where one has none.
-    double fastest(double t);
-    /// Over dt, after fastest().
+    double fastest(double t) const;
+    /// Over dt, not longer than Courant's condition allows for fastest().
     void step(double dt);
 
     std::size_t size() const { return n_; }
-    double edge(std::size_t i) const;  ///< left one of cell i [m]
+    std::size_t active() const { return total(active_.stretches()); }  ///< cells that the next step will touch
+    double edge(std::size_t i) const;                                  ///< left one of cell i [m]
     Contents mean(std::size_t i) const { return cells_.q[i + ghosts]; }
     Contents left(std::size_t i) const { return cells_.left[i + ghosts]; }
     Contents right(std::size_t i) const { return cells_.right[i + ghosts]; }
@@ -77,6 +84,9 @@ public:
 
 private:
     static constexpr std::size_t ghosts = 2;
+    [[noreturn]] void refuse(double t) const;
+    void pass(double step_by_h);
+    void measure();
     void fill_ghosts();
     Contents ghost(std::size_t side, std::size_t depth) const;
     void pass_ends(double dt);
@@ -89,7 +99,8 @@ private:
     Options options_;
     std::array<LineEnd, 2> ends_;  ///< a reservoir's contents stand in `outside`
     Cells cells_;
-    Columns through_;  ///< [i] between cells i and i + 1
+    Columns through_;  ///< [i] between cells i and i + 1; of the stretches
+    Active active_;
     Contents passed_, passed_size_;
 };
 

@@ -36,9 +36,15 @@ Contents mean_of(const LineScene& scene, double a, double b) {
 
 Contents absolute(const Contents& q) { return {std::abs(q.mass), std::abs(q.momentum), std::abs(q.energy)}; }
 
-void advance(std::vector<double>& q, const std::vector<double>& through, double step_by_h) {
-    for (std::size_t i = 2; i + 2 < q.size(); ++i) q[i] += step_by_h * (through[i - 1] - through[i]);
+void advance(std::vector<double>& q, const std::vector<double>& through, double step_by_h, Stretch cells) {
+    for (std::size_t i = cells.from; i < cells.to; ++i) q[i] += step_by_h * (through[i - 1] - through[i]);
 }
+
+/// The same and one more on each side.
+Stretch widened(const Stretch& cells) { return {cells.from - 1, cells.to + 1}; }
+
+/// The faces of cells, or the one where there is none; face i is on the right of cell i.
+Stretch faces_of(const Stretch& cells) { return {cells.from - 1, cells.to}; }
 
 }  // namespace
 
@@ -51,16 +57,30 @@ Grid::Grid(const LineScene& scene, const Options& options, const Resolution& res
       options_(options),
       ends_(ends_of(scene)),
       cells_(n_ + 2 * ghosts),
-      through_(n_ + 2 * ghosts) {
+      through_(n_ + 2 * ghosts),
+      active_({ghosts, ghosts + n_}, ghosts, options.second_order ? 2 : 1) {
     for (std::size_t i = 0; i < n_; ++i) cells_.q.set(i + ghosts, mean_of(scene, edge(i), edge(i + 1)));
     fill_ghosts();
+    measure_cells(medium_, {0, cells_.q.size()}, cells_);
+    if (options.skip_quiet) active_.find(cells_.q);
 }
 
 double Grid::edge(std::size_t i) const { return i == n_ ? to_ : from_ + static_cast<double>(i) * h_; }
 
-double Grid::fastest(double t) {
-    const double speed = measure_cells(medium_, cells_);
-    if (std::isfinite(speed)) return speed;
+double Grid::fastest(double t) const {
+    double speed = 0;
+    for (const Stretch& s :
+         active_.stretches()) {  // with one quiet cell on each side, which stands for all up to the next
+        const Stretch cells = widened(s);
+        const double here = fastest_of(std::span(cells_.speed).subspan(cells.from, cells.size()));
+        if (!(here <= speed)) speed = here;
+        if (!std::isfinite(here)) refuse(t);
+    }
+    return speed;
+}
+
+/// Throws Diverged, with the place of the first cell that waves cannot run through.
+void Grid::refuse(double t) const {
     for (std::size_t i = 0; i < n_; ++i) {
         const Flow f = std::visit([&](const auto& kind) { return kind.flow(mean(i)); }, medium_);
         if (!f.physical())
@@ -72,26 +92,47 @@ double Grid::fastest(double t) {
 
 void Grid::step(double dt) {
     const double step_by_h = dt / h_;
-    if (!options_.second_order) {
-        pass_faces(medium_, options_, cells_.q, cells_.q, through_);
-    } else {
-        reconstruct(medium_, options_.limiter, step_by_h, cells_);
-        if (!pass_faces(medium_, options_, cells_.right, cells_.left, through_)) {
-            repair(medium_, cells_);
-            pass_faces(medium_, options_, cells_.right, cells_.left, through_);
-        }
+    pass(step_by_h);
+    for (const Stretch& s : active_.stretches()) {
+        advance(cells_.q.mass, through_.mass, step_by_h, s);
+        advance(cells_.q.momentum, through_.momentum, step_by_h, s);
+        advance(cells_.q.energy, through_.energy, step_by_h, s);
     }
-    advance(cells_.q.mass, through_.mass, step_by_h);
-    advance(cells_.q.momentum, through_.momentum, step_by_h);
-    advance(cells_.q.energy, through_.energy, step_by_h);
     pass_ends(dt);
     fill_ghosts();
+    measure();
+}
+
+/// What passes the faces of all stretches.
+void Grid::pass(double step_by_h) {
+    const auto through = [&](const Columns& before, const Columns& behind) {
+        bool matter = true;
+        for (const Stretch& s : active_.stretches())
+            matter &= pass_faces(medium_, options_, before, behind, faces_of(s), through_);
+        return matter;
+    };
+    if (!options_.second_order) {
+        through(cells_.q, cells_.q);
+        return;
+    }
+    for (const Stretch& s : active_.stretches()) reconstruct(medium_, options_.limiter, step_by_h, widened(s), cells_);
+    if (through(cells_.right, cells_.left)) return;
+    for (const Stretch& s : active_.stretches()) repair(medium_, widened(s), cells_);
+    through(cells_.right, cells_.left);
+}
+
+/// Of cells that a step has changed what follows from their contents; then which cells the next one can change.
+void Grid::measure() {
+    for (const Stretch& s : active_.stretches()) measure_cells(medium_, s, cells_);
+    measure_cells(medium_, {0, ghosts}, cells_);
+    measure_cells(medium_, {ghosts + n_, ghosts + n_ + ghosts}, cells_);
+    active_.follow(cells_.q);
 }
 
 void Grid::reconstruct_now() {
-    measure_cells(medium_, cells_);
-    reconstruct(medium_, options_.limiter, 0, cells_);
-    repair(medium_, cells_);
+    const Stretch all{ghosts, ghosts + n_};
+    reconstruct(medium_, options_.limiter, 0, widened(all), cells_);
+    repair(medium_, widened(all), cells_);
 }
 
 void Grid::pass_ends(double dt) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "solvers/godunov/godunov.hpp"
+#include "solvers/instruction_set.hpp"
 
 namespace ordo::solvers::godunov {
 namespace {
@@ -36,11 +37,35 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// several at a time.
 double where_positive(double a, double b, double value) { return (a > 0) & (b > 0) ? value : nan; }
 
+/// loop(), made of the widest instructions that the machine has. All that a loop calls is inlined here, so that no
+/// function made of them is left for others to call. Contraction is off and every operation rounds by itself: the bits
+/// are the same with each.
+template <class Loop>
+[[gnu::flatten]] void baseline(Loop loop) {
+    loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx2")]] void avx2(Loop loop) {
+    loop();
+}
+template <class Loop>
+[[gnu::flatten, gnu::target("avx512f,avx512dq,prefer-vector-width=512")]] void avx512(Loop loop) {
+    loop();
+}
+template <class Loop>
+void run(Loop loop) {
+    static const InstructionSet set = instruction_set();
+    switch (set) {
+        case InstructionSet::avx512: return avx512(loop);
+        case InstructionSet::avx2: return avx2(loop);
+        case InstructionSet::baseline: return baseline(loop);
+    }
+}
+
 template <class M>
-[[gnu::flatten]] void measured(const M medium, Cells& cells) {
-    const std::size_t n = cells.q.size();
+void measured(const M medium, Stretch stretch, Cells& cells) {
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = stretch.from; i < stretch.to; ++i) {
         const Flow f = medium.flow(cells.q[i]);
         cells.v[i] = f.v;
         cells.third[i] = third_of<M>(f);
@@ -49,14 +74,13 @@ template <class M>
 }
 
 template <class M, class L>
-[[gnu::flatten]] void reconstructed(const M medium, L, double step_by_h, Cells& cells) {
+void reconstructed(const M medium, L, double step_by_h, Stretch stretch, Cells& cells) {
     const double ahead = 0.5 * step_by_h;
-    const std::size_t last = cells.q.size() - 1;
     const auto& rho = cells.q.mass;
     const auto& v = cells.v;
     const auto& third = cells.third;
 #pragma GCC ivdep
-    for (std::size_t i = 1; i < last; ++i) {
+    for (std::size_t i = stretch.from; i < stretch.to; ++i) {
         const double half_rho = 0.5 * L::rise(rho[i] - rho[i - 1], rho[i + 1] - rho[i]);
         const double half_v = 0.5 * L::rise(v[i] - v[i - 1], v[i + 1] - v[i]);
         const double half_third = 0.5 * L::rise(third[i] - third[i - 1], third[i + 1] - third[i]);
@@ -70,10 +94,9 @@ template <class M, class L>
 }
 
 template <class M, class F, class S>
-[[gnu::flatten]] void passed(const M medium, F, S, const Columns& before, const Columns& behind, Columns& through) {
-    const std::size_t last = before.size() - 2;
+void passed(const M medium, F, S, const Columns& before, const Columns& behind, Stretch faces, Columns& through) {
 #pragma GCC ivdep
-    for (std::size_t i = 1; i < last; ++i) {
+    for (std::size_t i = faces.from; i < faces.to; ++i) {
         const Side l{before[i], medium.flow(before[i])};
         const Side r{behind[i + 1], medium.flow(behind[i + 1])};
         Contents q = F::through(l, r, S::between(medium, l, r));
@@ -106,35 +129,39 @@ Digest digest(std::span<const double> values) {
 
 }  // namespace
 
-double measure_cells(const Medium& medium, Cells& cells) {
-    std::visit([&](const auto& kind) { measured(kind, cells); }, medium);
-    const Digest speeds = digest(cells.speed);
-    return std::isfinite(speeds.sum) ? speeds.largest : nan;
+void measure_cells(const Medium& medium, Stretch cells, Cells& row) {
+    std::visit([&](const auto& kind) { run([&] { measured(kind, cells, row); }); }, medium);
 }
 
-void reconstruct(const Medium& medium, const Limiter& limiter, double step_by_h, Cells& cells) {
-    std::visit([&](const auto& kind, auto limit) { reconstructed(kind, limit, step_by_h, cells); }, medium, limiter);
+double fastest_of(std::span<const double> speeds) {
+    const Digest all = digest(speeds);
+    return std::isfinite(all.sum) ? all.largest : nan;
 }
 
-void repair(const Medium& medium, Cells& cells) {
+void reconstruct(const Medium& medium, const Limiter& limiter, double step_by_h, Stretch cells, Cells& row) {
+    std::visit([&](const auto& kind, auto limit) { run([&] { reconstructed(kind, limit, step_by_h, cells, row); }); },
+               medium, limiter);
+}
+
+void repair(const Medium& medium, Stretch cells, Cells& row) {
     const auto put_right = [&](const auto& kind) {
-        for (std::size_t i = 1; i < cells.q.size() - 1; ++i) {
-            if (kind.flow(cells.left[i]).physical() && kind.flow(cells.right[i]).physical()) continue;
-            cells.left.set(i, cells.q[i]);
-            cells.right.set(i, cells.q[i]);
+        for (std::size_t i = cells.from; i < cells.to; ++i) {
+            if (kind.flow(row.left[i]).physical() && kind.flow(row.right[i]).physical()) continue;
+            row.left.set(i, row.q[i]);
+            row.right.set(i, row.q[i]);
         }
     };
     std::visit(put_right, medium);
 }
 
 bool pass_faces(const Medium& medium, const Options& options, const Columns& before, const Columns& behind,
-                Columns& through) {
+                Stretch faces, Columns& through) {
     const auto pass = [&]<class M, class S>(const M& kind, auto solver, S estimate) {
-        if constexpr (Estimates<S, M>) passed(kind, solver, estimate, before, behind, through);
+        if constexpr (Estimates<S, M>) run([&] { passed(kind, solver, estimate, before, behind, faces, through); });
         else throw std::logic_error("this estimate of wave speeds is not for that medium");
     };
     std::visit(pass, medium, options.riemann, options.speeds);
-    return std::isfinite(digest(std::span(through.mass).subspan(1, through.size() - 3)).sum);
+    return std::isfinite(digest(std::span(through.mass).subspan(faces.from, faces.size())).sum);
 }
 
 }  // namespace ordo::solvers::godunov

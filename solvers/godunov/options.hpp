@@ -15,6 +15,7 @@ struct Options {
     RiemannSolver riemann = Hllc{};
     SpeedEstimate speeds = Davis{};
     Limiter limiter = MonotonizedCentral{};
+    bool skip_quiet = true;  ///< cells that keep their contents are not touched; not declared: the bits are the same
 };
 
 /// How finely: equal cells, their width [m], and the largest dt (|v| + a) / h of a step.

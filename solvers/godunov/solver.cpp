@@ -32,6 +32,7 @@ public:
             if (next < t && dt < shortest_step)
                 throw Diverged("the time step has shrunk to " + shortest(dt) + " s at t = " + shortest(t_));
             if (next == t_) throw Diverged("the time step is lost in the time at t = " + shortest(t_));
+            touched_ += static_cast<double>(grid_.active());
             grid_.step(next == t ? t - t_ : dt);
             t_ = next;
             ++steps_;
@@ -49,8 +50,12 @@ public:
     }
 
     std::vector<Figure> work() const override {
-        const double steps = static_cast<double>(steps_);
-        return {{"steps", steps}, {"cell_updates", steps * static_cast<double>(grid_.size())}};
+        return {{"steps", static_cast<double>(steps_)}, {"cell_updates", cell_updates()}};
+    }
+
+    std::vector<Skipped> skipped() const override {
+        if (steps_ == 0) return {};
+        return {{"updates of quiet cells", 1 - touched_ / cell_updates()}};
     }
 
     /// What is held now against what was held at the start and has passed the ends, relative to the sizes of both.
@@ -65,6 +70,8 @@ public:
     }
 
 private:
+    double cell_updates() const { return static_cast<double>(steps_) * static_cast<double>(grid_.size()); }
+
     std::vector<Field> slopes() const {
         Grid now = grid_;
         now.reconstruct_now();
@@ -81,6 +88,7 @@ private:
     Grid::Balance start_;
     double t_ = 0;
     long steps_ = 0;
+    double touched_ = 0;  ///< cells, summed over the steps
 };
 
 double fastest_piece(const LineScene& scene) {

@@ -1,6 +1,7 @@
 // The door of MPM: from declared values to a running, typed simulation.
 #include <cmath>
 
+#include "solvers/instruction_set.hpp"
 #include "solvers/mpm/fast/fast.hpp"
 #include "solvers/mpm/mpm.hpp"
 
@@ -199,7 +200,7 @@ Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
     return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) {
         check_fits(solid, chosen);
         const Resolution fine = resolution_from(solid, chosen, resolution);
-        fast::chosen_set();  // refuses a word of ORDO_SIMD at the door
+        instruction_set();  // refuses a word of ORDO_SIMD at the door
         double points = 1;
         for (int axis = 0; axis < dim; ++axis)
             points *= count_along_edge(chosen, fine, solid.upper[axis] - solid.lower[axis]);

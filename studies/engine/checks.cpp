@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/text.hpp"
+#include "studies/engine/decided.hpp"
 #include "studies/engine/judge.hpp"
 #include "studies/engine/order_check.hpp"
 #include "studies/engine/run.hpp"
@@ -67,7 +68,7 @@ std::optional<Check> bound_check(const Result& result, const Expectation& expect
     for (const int id : series.runs) {
         const Run& run = run_of(result, id);
         const bool is_reference = run.status == Status::reference && quantity.against == Against::finest;
-        if (is_reference || !admits(expectation, run)) continue;
+        if (is_reference || run.status == Status::skipped || !admits(expectation, run)) continue;
         ++runs;
         const double error = run.error(quantity.key());
         if (check.fault == Fault::none) check.fault = fault_of_error(error, expectation);
@@ -155,7 +156,9 @@ Check ends_check(const Result& result) {
     const auto [missing, repeated, off_plan] = misplaced(result);
     const auto ended = [&](Status status) { return std::ranges::count(result.runs, status, &Run::status); };
     const auto blown_up = ended(Status::diverged);
-    const auto broken = ended(Status::failed) + ended(Status::timed_out);
+    const auto late = ended(Status::timed_out);
+    const auto broken = ended(Status::failed) + (result.study.time_out_allowed ? 0 : late);
+    const auto skipped = ended(Status::skipped);
     Check check{"every planned run ends", "all runs", "rule of the house", Verdict::pass, ""};
     if (blown_up > 0 && !result.study.diverged_allowed) check.fault = Fault::run_diverged;
     if (broken > 0) check.fault = Fault::run_failed;
@@ -163,13 +166,15 @@ Check ends_check(const Result& result) {
     if (unmeasured != Fault::none) check.fault = unmeasured;
     if (off_plan > 0) check.fault = Fault::off_plan;
     if (repeated > 0) check.fault = Fault::point_repeated;
-    if (missing > 0) check.fault = Fault::point_missing;
+    if (missing > 0 || skipped_wrongly(result.study, result.runs) > 0) check.fault = Fault::point_missing;
     if (result.runs.empty()) check.fault = Fault::nothing_measured;
     if (check.fault != Fault::none) check.verdict = Verdict::fail;
     check.found =
-        fmt::format("{} runs, {} diverged{}, {} failed, {} missing, {} repeated or not planned, {} off their plan{}",
-                    result.runs.size(), blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken, missing,
+        fmt::format("{} runs, {} diverged{}, {} failed{}, {} missing, {} repeated or not planned, {} off their plan{}",
+                    result.runs.size(), blown_up, result.study.diverged_allowed ? " (allowed)" : "", broken,
+                    result.study.time_out_allowed ? fmt::format(", {} timed out (allowed)", late) : "", missing,
                     repeated, off_plan, unmeasured == Fault::none ? "" : "; " + text_of(unmeasured));
+    if (skipped > 0) check.found += fmt::format(", {} skipped", skipped);
     return check;
 }
 

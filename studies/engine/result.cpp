@@ -21,9 +21,10 @@ std::string text_of(Status status) {
         case Status::reference: return "reference";
         case Status::diverged: return "diverged";
         case Status::failed: return "failed";
-        case Status::timed_out: break;
+        case Status::timed_out: return "timed_out";
+        case Status::skipped: break;
     }
-    return "timed_out";
+    return "skipped";
 }
 
 std::string text_of(Verdict verdict) {

@@ -1,5 +1,7 @@
 #pragma once
 // What came of a study: plain values only. Reports, tables, plots and gates are made from this and nothing else.
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,12 @@
 namespace ordo::studies {
 
 /// ok; reference: it ran and others are compared with it; diverged: it blew up, which is a result;
-/// failed: it threw; timed_out: it passed the study's timeout_s.
-enum class Status { ok, reference, diverged, failed, timed_out };
+/// failed: it threw; timed_out: it passed the study's timeout_s; skipped: coarser runs of its line decided.
+enum class Status { ok, reference, diverged, failed, timed_out, skipped };
 std::string text_of(Status status);
+
+/// Where a run's figures come from: made here, kept from an earlier time, or those of an equal run.
+enum class Origin { made, cached, shared };
 
 /// One named number of a run.
 struct RunFigure {
@@ -20,6 +25,13 @@ struct RunFigure {
     double value = 0;
 
     bool operator==(const RunFigure&) const = default;
+};
+
+/// Repetitions of a run that a median of times is of.
+struct Repeats {
+    int number = 1;
+    double spread =
+        std::numeric_limits<double>::quiet_NaN();  ///< median absolute deviation over the median; NaN for one
 };
 
 /// One solver at one resolution.
@@ -35,7 +47,10 @@ struct Run {
     std::vector<RunFigure> errors;  ///< by quantity key; NaN where a run has none
     std::vector<RunFigure> drift;
     std::vector<RunFigure> work;
+    std::vector<RunFigure> skipped;  ///< work that it did not have to do, and its share of the whole
     double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
+    std::optional<Repeats> repeats = {};  ///< where `seconds` is the median of a run that was timed by itself
+    Origin origin = Origin::made;    ///< likewise
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none
     /// The same, or what it counted, or one over either: "delta", "chop_outs", "1/ppc"; NaN when it has none.

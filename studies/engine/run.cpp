@@ -1,19 +1,14 @@
 #include "studies/engine/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "studies/engine/measure.hpp"
+#include "studies/engine/thread_time.hpp"
 
 namespace ordo::studies {
 namespace {
-
-double thread_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Adds the thread time of its own life to `seconds`.
 struct Timed {
@@ -23,13 +18,15 @@ struct Timed {
     ~Timed() { seconds += thread_seconds() - begin; }
 };
 
-/// True once the study is interrupted or the run has used up its time; `late` tells the second.
+/// True once the study is interrupted or the run has used up its thread time; `late` tells the second. Thread time is
+/// never ahead of the wall's, whose clock costs less to read between two steps.
 solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, bool& late) {
     if (!spec.timeout_s) return stop;
     using clock = std::chrono::steady_clock;
     const auto limit = clock::now() + std::chrono::duration<double>(*spec.timeout_s);
-    return [&stop, &late, limit] {
-        late = clock::now() > limit;
+    const double thread_limit = thread_seconds() + *spec.timeout_s;
+    return [&stop, &late, limit, thread_limit] {
+        late = clock::now() > limit && thread_seconds() > thread_limit;
         return late || stop();
     };
 }
@@ -48,10 +45,14 @@ void raise(std::vector<RunFigure>& largest, const std::vector<RunFigure>& now) {
     }
 }
 
-/// To the end, and the errors there; or the largest errors over the ends of all steps.
-std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const RunSpec& spec,
-                                       const oracles::Exact& exact, const Parts& parts,
-                                       const solvers::Interrupt& interrupt, double& seconds) {
+/// The errors at the end, or the largest over the ends of all steps; and the snapshot at the end.
+struct Measured {
+    std::vector<RunFigure> errors;
+    solvers::Snapshot last;
+};
+
+Measured run_and_measure(solvers::Simulation& simulation, const RunSpec& spec, const oracles::Exact& exact,
+                         const Parts& parts, const solvers::Interrupt& interrupt, double& seconds) {
     const auto& quantities = spec.measure.quantities;
     const auto advance_to = [&](double t) {
         const Timed timed{seconds};
@@ -59,17 +60,22 @@ std::vector<RunFigure> run_and_measure(solvers::Simulation& simulation, const Ru
     };
     if (!quantities.front().maximum) {
         advance_to(spec.t_end);
-        return parts.errors(quantities, simulation.snapshot(), exact);
+        auto last = simulation.snapshot();
+        return {parts.errors(quantities, last, exact), std::move(last)};
     }
-    std::vector<RunFigure> largest = parts.errors(quantities, simulation.snapshot(), exact);
+    Measured largest{{}, simulation.snapshot()};
+    largest.errors = parts.errors(quantities, largest.last, exact);
     const long steps = solvers::steps_to(spec.t_end, spec.plan.dt);
     for (long k = 1; k <= steps; ++k) {
         const double t = k == steps ? spec.t_end : spec.t_end * static_cast<double>(k) / static_cast<double>(steps);
         advance_to(t);
-        raise(largest, parts.errors(quantities, simulation.snapshot(), exact));
+        largest.last = simulation.snapshot();
+        raise(largest.errors, parts.errors(quantities, largest.last, exact));
     }
     return largest;
 }
+
+bool needs_truth(const Quantity& quantity) { return quantity.against == Against::exact; }
 
 bool finite(const solvers::Snapshot& shot, std::string& which) {
     for (const auto& field : shot.fields) {
@@ -91,12 +97,16 @@ void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrup
         const Timed timed{run.seconds};
         return solver.start(problem, spec.solver.options, spec.resolution, spec.measure.fields);
     }();
-    run.errors = run_and_measure(*simulation, spec, scene.truth(spec.scene.values), parts, interrupt, run.seconds);
+    const bool asks_for_truth = std::ranges::any_of(spec.measure.quantities, needs_truth);
+    const auto exact = asks_for_truth ? scene.truth(spec.scene.values) : oracles::Exact{};
+    auto [errors, last] = run_and_measure(*simulation, spec, exact, parts, interrupt, run.seconds);
+    run.errors = std::move(errors);
     run.work = figures(simulation->work());
     run.drift = figures(simulation->drift());
-    outcome.snapshot = simulation->snapshot();
+    for (const auto& [what, share] : simulation->skipped()) run.skipped.push_back({what, share});
     std::string which;
-    if (!finite(*outcome.snapshot, which)) throw solvers::Diverged("the " + which + " is not finite at the end");
+    if (!finite(last, which)) throw solvers::Diverged("the " + which + " is not finite at the end");
+    outcome.snapshot = std::move(last);
 }
 
 }  // namespace
@@ -113,15 +123,20 @@ double step_taken(const RunSpec& spec) {
     return spec.t_end / static_cast<double>(solvers::steps_to(spec.t_end, spec.plan.dt));
 }
 
-RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
-    RunOutcome outcome;
-    Run& run = outcome.run;
+Run planned_run(const RunSpec& spec) {
+    Run run;
     run.id = spec.id;
     run.solver = spec.solver.label;
     run.axes = spec.axes;
     run.h = spec.plan.h;
     run.dt = step_taken(spec);
     run.t = spec.t_end;
+    return run;
+}
+
+RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts) {
+    RunOutcome outcome{planned_run(spec), {}};
+    Run& run = outcome.run;
     bool late = false;
     const auto ends = [&](Status status, const std::string& reason) {
         run.status = status;

@@ -42,6 +42,9 @@ const Parts& house_parts();
 /// Throws InputError where scene, solver and resolution do not go together.
 std::vector<RunSpec> specs_of(const Study& study);
 
+/// What is known of a run before it starts.
+Run planned_run(const RunSpec& spec);
+
 /// Runs it. Blowing up, throwing and passing the time limit are results; only `stop` ends it by Interrupted.
 RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, const Parts& parts = house_parts());
 

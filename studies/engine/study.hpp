@@ -128,6 +128,8 @@ struct Study {
     std::vector<Expectation> expect;
     std::vector<Published> published;
     bool diverged_allowed = false;
+    bool time_out_allowed = false;
+    bool stops_when_decided = false;  ///< a level that decided.hpp says need not be run is skipped
     std::optional<double> timeout_s;  ///< of each run
     std::string document;  ///< the whole question as JSON, published values included: reads back as this study
 };

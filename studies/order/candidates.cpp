@@ -1,11 +1,10 @@
 #include "studies/order/candidates.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "studies/order/bootstrap.hpp"
+#include "studies/order/distributions.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -20,14 +19,6 @@ constexpr double model_quantile = 0.98;  // one-sided, of the order of a model w
 constexpr double bend_level = 0.1;       // a bend is seen below this probability of chance
 constexpr double foretold_line = 0.98;   // quantile that the finest two points may reach beside a line
 constexpr double foretold_floor = 0.95;  // and the finest three beside a floor
-
-double student(double freedom, double probability) {
-    return boost::math::quantile(boost::math::students_t(freedom), probability);
-}
-
-double fisher(double above, double below, double probability) {
-    return boost::math::quantile(boost::math::fisher_f(above, below), probability);
-}
 
 /// Corrected Akaike criterion of a fit with so many parameters, the variance among them; infinite with too few points.
 double akaike_of(const LeastSquares& fit, Index points, Index parameters, Index dropped) {
@@ -52,11 +43,10 @@ void bear_bend(Candidate& candidate, const LogSeries& window, const LeastSquares
     const auto points = static_cast<double>(window.size());
     const LeastSquares parabola = polynomial(window, 2);
     const double bend = parabola.parameters[2] / parabola.deviation(2);
-    const boost::math::students_t chance(points - 3);
-    candidate.curved = 2 * boost::math::cdf(boost::math::complement(chance, std::abs(bend))) < bend_level;
+    candidate.curved = student_chance(points - 3, bend) < bend_level;
     const EndSlope fine = end_slope(parabola, line.variance(), window.x.tail(1)[0]);
     const EndSlope coarse = end_slope(parabola, line.variance(), window.x[0]);
-    const double t = student(points - 2, end_quantile);
+    const double t = student_quantile(points - 2, end_quantile);
     const double further = unseen_levels * std::abs(coarse.slope - fine.slope) / (points - 1);
     const bool falls = coarse.slope > fine.slope;  // with refinement: a second power, or a floor
     candidate.low = std::min(candidate.order, fine.slope - t * fine.deviation - (falls ? further : 0));
@@ -70,7 +60,7 @@ bool finest_two_agree(const LogSeries& window, const LeastSquares& line) {
     if (points < 6) return true;
     const LeastSquares others = polynomial(window.coarsest(window.size() - 2), 1);
     const double excess = std::max(line.squares - others.squares, 0.0) / 2;
-    return excess / (others.squares / (points - 4)) < fisher(2, points - 4, foretold_line);
+    return excess / (others.squares / (points - 4)) < fisher_quantile(2, points - 4, foretold_line);
 }
 
 /// Whether the three finest points scatter about the model no more than the others.
@@ -83,8 +73,8 @@ bool finest_three_agree(const LeastSquares& fit) {
     const Index last = fit.residuals.size() - 1;
     const double turn = fit.residuals[last] - fit.residuals[last - 1];  // above zero where errors grow again
     const double scatter = std::sqrt(others / (points - 5));
-    return fine < fisher(2, points - 5, foretold_floor) * scatter * scatter &&
-           turn < student(points - 5, foretold_floor) * scatter;
+    return fine < fisher_quantile(2, points - 5, foretold_floor) * scatter * scatter &&
+           turn < student_quantile(points - 5, foretold_floor) * scatter;
 }
 
 /// Least and largest neighbour order of e - f over the points where A h^p is the larger part.
@@ -108,7 +98,7 @@ void take_neighbours(Candidate& candidate, const LogSeries& window, const Eigen:
 /// Order, scatter, and Student's interval.
 void take(Candidate& candidate, LeastSquares fit) {
     const auto freedom = static_cast<double>(fit.residuals.size() - fit.parameters.size());
-    const double half = student(freedom, model_quantile) * fit.deviation(1);
+    const double half = student_quantile(freedom, model_quantile) * fit.deviation(1);
     candidate.order = fit.parameters[1];
     candidate.low = candidate.order - half;
     candidate.high = candidate.order + half;
@@ -129,7 +119,7 @@ Candidate power_law(const LogSeries& series, Index dropped) {
     candidate.scatter = std::sqrt(line.variance());
     candidate.asymptotic = window.size();
     if (window.size() == 3) {
-        const double half = student(1, 0.975) * line.deviation(1);
+        const double half = student_quantile(1, 0.975) * line.deviation(1);
         candidate.low = candidate.order - half;
         candidate.high = candidate.order + half;
     }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
 #include "core/text.hpp"
+#include "studies/order/distributions.hpp"
 #include "studies/order/value_fit.hpp"
 
 namespace ordo::studies {
@@ -274,7 +274,7 @@ FitOutcome fit_order_of_values(std::vector<GridValue> grids) {
         const auto [h, values] = vectors_of(grids);
         const ValueFit law = fit_power(h, values, Weights::equal);
         const double freedom = static_cast<double>(grids.size() - 3);
-        const double width = boost::math::quantile(boost::math::students_t(freedom), 0.975) * error_of_order(h, law);
+        const double width = student_quantile(freedom, 0.975) * error_of_order(h, law);
         fit.order = law.order;
         // Triples whose orders drift show that one law does not hold: the interval bears them all.
         const auto [least, largest] = std::ranges::minmax(fit.neighbours);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <set>
 #include <tuple>
 
+#include "studies/order/distributions.hpp"
 #include "studies/order/joint_model.hpp"
 #include "studies/order/joint_points.hpp"
 
@@ -39,7 +39,7 @@ JointLogs logs_of(const std::vector<JointPoint>& points) {
     return logs;
 }
 
-double student(double freedom) { return boost::math::quantile(boost::math::students_t(freedom), 0.975); }
+double student(double freedom) { return student_quantile(freedom, 0.975); }
 
 /// (J^T J)^-1, the covariance of the parameters in units of the residuals' variance.
 MatrixXd covariance_of(const MatrixXd& jacobian) {

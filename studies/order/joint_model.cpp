@@ -1,11 +1,12 @@
 #include "studies/order/joint_model.hpp"
 
 #include <array>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <vector>
+
+#include "studies/order/distributions.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -154,7 +155,7 @@ double chance_of(double squares, double fewer, double added, double freedom) {
     const double least = (freedom + added) * round_off * round_off;
     const double ratio = (std::max(squares, least) / std::max(fewer, least) - 1) * freedom / added;
     if (!(ratio > 0)) return 1;
-    return boost::math::cdf(boost::math::complement(boost::math::fisher_f(added, freedom), ratio));
+    return fisher_chance(added, freedom, ratio);
 }
 
 }  // namespace ordo::studies

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/text.hpp"
 #include "studies/order/candidates.hpp"
+#include "studies/order/distributions.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -140,8 +140,8 @@ std::string words_of(const Candidate& best, const LogSeries& series) {
 /// The line falls beyond chance.
 bool falls(const LogSeries& series) {
     const LeastSquares line = polynomial(series, 1);
-    const boost::math::students_t chance(static_cast<double>(series.size() - 2));
-    return line.parameters[1] > boost::math::quantile(chance, slope_quantile) * line.deviation(1);
+    const double t = student_quantile(static_cast<double>(series.size() - 2), slope_quantile);
+    return line.parameters[1] > t * line.deviation(1);
 }
 
 Said said_of(const LogSeries& series, const Candidate& best) {

@@ -106,11 +106,21 @@ std::vector<SolverChoice> all_solvers_from(const Node& node, const SceneChoice& 
     return choices;
 }
 
+/// Finer levels may be skipped where each run is in one line only, whose coarse runs say all that it is judged by.
+bool stops_when_decided(const Node& node, const Study& study) {
+    node.one_of({"when_decided"});
+    if (study.sweep.path == Path::grid) node.refuse("needs one line through each run, but path 'grid' has two");
+    if (!study.measure.orders_against.empty()) node.refuse("does not go together with measure.orders_against");
+    const auto exact = [](const Quantity& quantity) { return quantity.against == Against::exact; };
+    if (!std::ranges::all_of(study.measure.quantities, exact)) node.refuse("needs measure.against to be 'exact'");
+    return true;
+}
+
 Study study_from(Json document, const std::string& where, const std::string& folder) {
     inline_published(document, where, folder);
     const Node root(document, where);
     root.only({"study", "about", "source", "scene", "solvers", "sweep", "measure", "expect", "published", "allow",
-               "timeout_s"});
+               "stop", "timeout_s"});
     Study study;
     study.name = root.at("study").text();
     if (study.name.empty()) root.at("study").refuse("is empty");
@@ -124,8 +134,10 @@ Study study_from(Json document, const std::string& where, const std::string& fol
     if (root.has("expect")) study.expect = expectations_from(root.at("expect"), study);
     if (root.has("published")) study.published = published_from(root.at("published"), study);
     if (root.has("allow")) {
-        for (const auto& item : root.at("allow").items()) study.diverged_allowed = item.one_of({"diverged"}) == 0;
+        for (const auto& item : root.at("allow").items())
+            (item.one_of({"diverged", "timed_out"}) == 0 ? study.diverged_allowed : study.time_out_allowed) = true;
     }
+    if (root.has("stop")) study.stops_when_decided = stops_when_decided(root.at("stop"), study);
     if (root.has("timeout_s")) {
         study.timeout_s = root.at("timeout_s").number();
         if (!(*study.timeout_s > 0)) root.at("timeout_s").refuse("must be > 0");

@@ -20,7 +20,7 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"reports", {"reports", "studies", "solvers", "oracles", "core"}},
     {"app", {"app", "reports", "studies", "solvers", "oracles", "core"}},
     {"bench", {"bench", "app", "reports", "studies", "solvers", "oracles", "core"}},
-    {"tests", {"tests", "app", "reports", "studies", "solvers", "oracles", "core"}},
+    {"tests", {"tests", "bench", "app", "reports", "studies", "solvers", "oracles", "core"}},
 };
 
 /// Libraries of each room by the beginning of their headers. "POSIX" stands for headers of the system that end in .h.
@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> may_use{
     {"solvers", {"Eigen/"}},
     {"oracles", {"boost/math/", "gsl/"}},
     {"studies", {"nlohmann/", "fmt/", "boost/math/", "boost/asio/", "Eigen/", "unsupported/Eigen/"}},
-    {"reports", {"nlohmann/", "fmt/", "boost/math/", "POSIX"}},
+    {"reports", {"nlohmann/", "fmt/", "boost/math/", "xxhash.h", "POSIX"}},
     {"app", {"boost/program_options", "nlohmann/", "fmt/", "POSIX"}},
 };
 

@@ -187,6 +187,13 @@ TEST_CASE("compare: time is a ratio of ratios, inside the factor on both sides",
     CHECK(fault_at(1 / 1.49) == Fault::none);
     CHECK(fault_at(1 / 1.51) == Fault::time_changed);
     CHECK(fault_at(none) == Fault::time_changed);
+    auto repeated = report;  // three runs of 0.25 s with a spread of 12 % each: of their sum 12 % / sqrt 3
+    for (auto& run : repeated.result.runs) run.repeats = studies::Repeats{9, 0.12};
+    CHECK(reports::time_spread(repeated) == Approx(0.12 / std::sqrt(3.0)).epsilon(1e-14));
+    CHECK(reports::time_check(repeated, baseline, 1.075).fault == Fault::none);
+    CHECK(reports::time_check(repeated, baseline, 1.065).fault == Fault::time_changed);
+    CHECK_THAT(reports::time_check(repeated, baseline, 1.5).found, ContainsSubstring("1 +- 6.9 % times"));
+    CHECK(reports::time_spread(report) == 0);
     auto slow_machine = report;
     for (auto& run : slow_machine.result.runs) run.seconds *= 3;
     slow_machine.provenance.kernel_seconds *= 3;

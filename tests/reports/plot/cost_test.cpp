@@ -81,12 +81,13 @@ TEST_CASE("cost plot: axes and legend say what the cost is, and whose", "[unit]"
     const std::string mixed = script_of(report, Cost::work);
     CHECK_THAT(mixed,
                ContainsSubstring("set xlabel 'counted work, not the same for all: see the legend' noenhanced\n"));
-    CHECK_THAT(mixed, ContainsSubstring(" title 'mpm [particle steps]: 1 run diverged'"));
+    CHECK_THAT(mixed, ContainsSubstring(" title 'mpm [particle steps]: error ~ 1/work^") &&
+                          ContainsSubstring("]; 1 run diverged'"));
     CHECK_THAT(mixed, ContainsSubstring(" title 'fem [element steps]: 1 error zero or not finite'"));
     for (auto& run : report.result.runs) run.work = {{"particle_steps", 5.0}};
     const std::string alike = script_of(report, Cost::work);
     CHECK_THAT(alike, ContainsSubstring("set xlabel 'counted work [particle steps]' noenhanced\n"));
-    CHECK_THAT(alike, ContainsSubstring(" title 'mpm: 1 run diverged'"));
+    CHECK_THAT(alike, ContainsSubstring(" title 'mpm: error ~ 1/work^") && ContainsSubstring("; 1 run diverged'"));
 }
 
 TEST_CASE("cost plot: a run that diverged does not make the units differ", "[unit]") {

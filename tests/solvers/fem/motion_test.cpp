@@ -156,9 +156,9 @@ TEST_CASE("fem motion: a plastic bar remembers its way", "[property]") {
     const double e1 = 0.3;
     const double e2 = 0.28;
     std::vector<double> P(1);
-    for (int k = 1; k <= parts; ++k) material.stress(std::vector{std::exp(e1 * k / parts)}, P);
+    for (int k = 1; k <= parts; ++k) material.stress(std::vector{std::exp(e1 * k / parts)}, P, {0, 1});
     CHECK(P[0] == Approx(plastic_stress(e1)).epsilon(1e-13));
-    for (int k = 1; k <= parts; ++k) material.stress(std::vector{std::exp(e1 + (e2 - e1) * k / parts)}, P);
+    for (int k = 1; k <= parts; ++k) material.stress(std::vector{std::exp(e1 + (e2 - e1) * k / parts)}, P, {0, 1});
     CHECK(P[0] == Approx(plastic_stress(e1) + (0.7 + 2 * 0.4) * (e2 - e1)).epsilon(1e-13));
 }
 

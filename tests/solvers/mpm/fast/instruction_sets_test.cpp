@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "solvers/instruction_set.hpp"
 #include "tests/solvers/mpm/fast/twins.hpp"
 
 using namespace ordo;
@@ -13,8 +14,8 @@ using namespace ordo::solvers::mpm::test;
 
 TEMPLATE_TEST_CASE_SIG("fast: the same bits with each set of instructions", "[property]", ((int dim), dim), 1, 2, 3) {
     std::vector<std::string> sets{"baseline"};
-    if (fast::has(fast::Set::avx2)) sets.emplace_back("avx2");
-    if (fast::has(fast::Set::avx512)) sets.emplace_back("avx512");
+    if (has(InstructionSet::avx2)) sets.emplace_back("avx2");
+    if (has(InstructionSet::avx512)) sets.emplace_back("avx512");
     for (const auto& scheme : schemes) {
         for (const std::string basis : {"linear", "quadratic"}) {
             INFO(name_of(scheme) << basis);
@@ -35,7 +36,7 @@ TEMPLATE_TEST_CASE_SIG("fast: the same bits with each set of instructions", "[pr
 
 TEST_CASE("fast: an unknown set of instructions is refused", "[unit]") {
     setenv("ORDO_SIMD", "sse9", 1);
-    CHECK_THROWS_WITH(fast::chosen_set(), ContainsSubstring("sse9") && ContainsSubstring("avx2"));
+    CHECK_THROWS_WITH(instruction_set(), ContainsSubstring("sse9") && ContainsSubstring("avx2"));
     unsetenv("ORDO_SIMD");
-    CHECK_NOTHROW(fast::chosen_set());
+    CHECK_NOTHROW(instruction_set());
 }

@@ -1,0 +1,144 @@
+// Times of the solver's kernels as ratios to the bare loops, taken in turns in one process.
+//   ordo_kernels [ROUNDS [MOST_PARTICLES]]                          the table, as markdown; 9 rounds of 1e5 unless said
+//   ordo_kernels run LOOP DIM DEGREE staying|crossing CELLS STEPS   one loop, to count its instructions
+//   ordo_kernels loops                                              what LOOP may be of a bar, one a line
+//   ordo_kernels threads                                            what two threads gain on halves of a bare loop
+#include <algorithm>
+#include <barrier>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "bench/kernels/cases.hpp"
+#include "bench/reference/floor.hpp"
+
+using namespace ordo::bench;
+
+namespace {
+
+struct Times {
+    double least, median;  ///< [ns] a particle and step
+};
+
+/// All loops of a case in turns; a round is at least 2e5 particle-steps where the body has room for them.
+std::map<std::string, Times> times_of(Case one, int rounds) {
+    std::map<std::string, Started> running;
+    std::map<std::string, std::vector<double>> all;
+    for (int round = 0; round < rounds; ++round) {
+        for (const auto& loop : loops_for(one)) {
+            one.loop = loop;
+            if (round == 0 || one.crossing) running[loop] = started(one);
+            const Started& now = running[loop];
+            const long wanted = std::max(1L, std::lround(2e5 / now.particles));
+            const long steps = one.crossing ? std::min(wanted, most_crossing_steps) : wanted;
+            const double begin = thread_seconds();
+            now.steps(steps);
+            all[loop].push_back(1e9 * (thread_seconds() - begin) / (static_cast<double>(steps) * now.particles));
+        }
+    }
+    std::map<std::string, Times> times;
+    for (auto& [loop, values] : all) {
+        std::ranges::sort(values);
+        times[loop] = {values.front(), values[values.size() / 2]};
+    }
+    return times;
+}
+
+std::string ratio(const std::map<std::string, Times>& times, const std::string& loop, const std::string& to) {
+    if (!times.contains(loop) || !times.contains(to)) return "-";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", times.at(loop).median / times.at(to).median);
+    return text;
+}
+
+/// Cells along an edge for about so many particles: a multiple of 8 an axis.
+int cells_for(double particles, int dim) {
+    const double edge = std::pow(particles, 1.0 / dim) / 2;
+    return std::max(16, 8 * static_cast<int>(std::lround(edge / 8)));
+}
+
+void print_table(int rounds, double most) {
+    std::printf(
+        "| Kernel | Particles | Body | floor ns | scalar ns | readable / scalar | fast / floor | fast / scalar |\n"
+        "|---|---|---|---|---|---|---|---|\n");
+    for (const auto& [dim, degree] : {std::pair{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 1}}) {
+        int before = 0;
+        for (double particles = 1e3; particles <= most * 1.01; particles *= 10) {
+            const int cells = cells_for(particles, dim);
+            if (cells == before) continue;
+            before = cells;
+            for (const bool crossing : {false, true}) {
+                const Case one{"", dim, degree, crossing, cells};
+                const auto times = times_of(one, rounds);
+                const std::string floor = crossing ? "-" : std::to_string(times.at("floor").median).substr(0, 5);
+                std::printf("| %dD degree %d | %ld | %s | %s | %.2f | %s | %s | %s |\n", dim, degree,
+                            wave_of(one).particles(), crossing ? "crossing" : "staying", floor.c_str(),
+                            times.at("scalar").median, ratio(times, "solver readable", "scalar").c_str(),
+                            ratio(times, "solver fast", "floor").c_str(),
+                            ratio(times, "solver fast", "scalar").c_str());
+                std::fflush(stdout);
+            }
+        }
+    }
+}
+
+/// Wall seconds of `steps` steps on as many threads, each with its part of a bar, which wait for each other every step.
+double wall_seconds(int threads, int cells, long steps) {
+    std::barrier together(threads);
+    std::vector<Floor> parts;
+    for (int i = 0; i < threads; ++i) parts.emplace_back(wave_of({"", 1, 1, false, cells / threads}));
+    const auto begin = std::chrono::steady_clock::now();
+    {
+        std::vector<std::jthread> all;
+        for (auto& part : parts) {
+            all.emplace_back([&] {
+                for (long step = 0; step < steps; ++step) {
+                    part.step();
+                    together.arrive_and_wait();
+                }
+            });
+        }
+    }
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void print_threads() {
+    std::printf("| Particles | gain of two threads |\n|---|---|\n");
+    for (const int cells : {16'000, 160'000, 1'600'000}) {
+        const long steps = std::max(4L, 2'000'000L / cells);
+        double gain = 0;
+        for (int round = 0; round < 5; ++round)
+            gain = std::max(gain, wall_seconds(1, cells, steps) / wall_seconds(2, cells, steps));
+        std::printf("| %d | %.2f |\n", 2 * cells, gain);
+        std::fflush(stdout);
+    }
+}
+
+void print_loops() {
+    for (const auto& loop : loops_for({})) std::printf("%s\n", loop.c_str());
+}
+
+void run_one(char** words) {
+    const Case one{words[0], std::stoi(words[1]), std::stoi(words[2]), std::string(words[3]) == "crossing",
+                   std::stoi(words[4])};
+    started(one).steps(std::stol(words[5]));
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        const std::string first = count > 1 ? words[1] : "";
+        if (first == "run" && count == 8) run_one(words + 2);
+        else if (first == "loops") print_loops();
+        else if (first == "threads") print_threads();
+        else print_table(first.empty() ? 9 : std::stoi(first), count > 2 ? std::stod(words[2]) : 1e5);
+    } catch (const std::exception& fault) {
+        std::fprintf(stderr, "ordo_kernels: %s\n", fault.what());
+        return 2;
+    }
+}
