@@ -64,7 +64,7 @@ private:
     void move_boundary(double dt, const Field& v);
     void clear(Field& field);
 
-    // who is where, in places.cpp
+    // who is where, in places.cpp and quiet.cpp
     double place(Seat seat, int axis) const;  ///< as kernels find it, xi [-]
     Vec<dim> where(Seat seat) const;          ///< x [m]
     void enter_leaver(const Leaver& leaver);

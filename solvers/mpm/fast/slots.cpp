@@ -113,7 +113,14 @@ void Slots<dim>::append(int block) {
     next_[k] = -1;
     block_of_[k] = block;
     taken_[k] = 0;
-    for (int lane = 0; lane < lanes; ++lane) empty({slot, lane});
+    for (int lane = 0; lane < lanes; ++lane) {
+        for (int row = 0; row < rows_; ++row) at({slot, lane}, row) = 0;
+        empty({slot, lane});
+        for (int axis = 0; axis < dim; ++axis) {
+            if (rows_ > Row<dim>::F) at({slot, lane}, Row<dim>::F + axis * (dim + 1)) = 1;
+            if (total_) at({slot, lane}, Row<dim>::xi + axis) = 0.5;
+        }
+    }
 }
 
 /// The seat after the last particle of a cell.
@@ -134,18 +141,16 @@ Seat Slots<dim>::seat_in(int block, int lane) {
     return {slot, lane};
 }
 
-/// Mid-cell, undeformed, without mass: whatever is gathered there, it gives nothing.
+/// Without mass, mid-cell: whatever is gathered there moves nothing and gives nothing.
 template <int dim>
 void Slots<dim>::empty(Seat seat) {
     using R = Row<dim>;
     id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)] = nobody;
-    for (int row = 0; row < rows_; ++row) at(seat, row) = 0;
+    double* rows = &at(seat, 0);
+    rows[R::m * lanes] = 0;
+    rows[R::volume * lanes] = 0;
     const Cell<dim> in = cell(seat);
-    for (int axis = 0; axis < dim; ++axis) {
-        at(seat, R::x + axis) = lower_[axis] + h_ * (in[axis] + 0.5);
-        if (rows_ > R::F) at(seat, R::F + axis * (dim + 1)) = 1;
-        if (total_) at(seat, R::xi + axis) = 0.5;
-    }
+    for (int axis = 0; axis < dim; ++axis) rows[(R::x + axis) * lanes] = lower_[axis] + h_ * (in[axis] + 0.5);
 }
 
 template <int dim>
@@ -167,7 +172,9 @@ void Slots<dim>::fill(Seat seat, const Particles<dim>& particles, std::size_t p)
 
 template <int dim>
 void Slots<dim>::copy(Seat from, Seat to) {
-    for (int row = 0; row < rows_; ++row) at(to, row) = at(from, row);
+    const double* old = &at(from, 0);
+    double* now = &at(to, 0);
+    for (long row = 0; row < rows_; ++row) now[row * lanes] = old[row * lanes];
     id_[static_cast<std::size_t>(to.slot * lanes + to.lane)] = id(from);
 }
 

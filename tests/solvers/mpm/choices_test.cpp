@@ -48,6 +48,7 @@ void check_refused(const SolidScene<dim>& scene, const Given& given, const std::
 
 TEST_CASE("choices: each word of an enumeration reaches its own enumerator", "[unit]") {
     check_words("frame", &Options::frame, {{"updated", {}}, {"total", {}}});
+    check_words("kernel", &Options::kernel, {{"fast", {}}, {"fast_everywhere", {}}, {"readable", {}}});
     check_words("basis", &Options::basis,
                 {{"linear", {}},
                  {"quadratic", {}},
