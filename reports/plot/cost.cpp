@@ -82,11 +82,11 @@ std::string cost_text(double value, Cost cost) {
     return cost == Cost::time ? fmt::format("{:.2g} s", value) : fmt::format("{:.2g}", value);
 }
 
-/// "error 1e-04 (2 of 3 reach it): B 0.0012 s, A 0.003 s": the quickest three, by name.
+/// "error 1e-04 (2 of 3 reach it): B 0.0012 s, A 0.003 s": the quickest two, by name.
 std::string reach_words(const std::vector<Method>& methods, double error, Cost cost) {
     const auto order = ranked_at(methods, error);
     std::string text = fmt::format("error {} ({} of {} reach it)", shortest(error), order.size(), methods.size());
-    for (std::size_t k = 0; k < std::min<std::size_t>(order.size(), 3); ++k) {
+    for (std::size_t k = 0; k < std::min<std::size_t>(order.size(), 2); ++k) {
         const auto& method = methods[order[k]];
         const auto [reached, spent] = cost_to(method.descent, error);
         text += (k == 0 ? ": " : ", ") + clipped(method.label, 30) + (reached == Reached::at_most ? " <= " : " ") +

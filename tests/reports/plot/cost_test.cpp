@@ -87,7 +87,7 @@ TEST_CASE("cost plot: axes and legend say what the cost is, and whose", "[unit]"
     for (auto& run : report.result.runs) run.work = {{"particle_steps", 5.0}};
     const std::string alike = script_of(report, Cost::work);
     CHECK_THAT(alike, ContainsSubstring("set xlabel 'counted work [particle steps]' noenhanced\n"));
-    CHECK_THAT(alike, ContainsSubstring(" title 'mpm: error ~ 1/work^") && ContainsSubstring("; 1 run diverged'"));
+    CHECK_THAT(alike, ContainsSubstring(" title 'mpm: 1 run diverged'"));
 }
 
 TEST_CASE("cost plot: a run that diverged does not make the units differ", "[unit]") {
