@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Who is fastest at which error: tools/leaderboard.sh [-o DIR] [--set path=value]... [STUDY...]
 # Times the studies of studies/leaderboard (or those named), one run at a time, and makes docs/leaderboard.md with its
-# pictures in docs/leaderboard. For trying: another folder instead of docs, and fewer or shorter runs, as in
+# pictures in docs/leaderboard, and the table in the README. For trying: another folder instead of docs, and fewer or shorter runs, as in
 #   tools/leaderboard.sh -o build/try --set timeout_s=0.2 studies/leaderboard/sod.json
 # A quiet machine matters; about 15 minutes. Reports stay in build/leaderboard, or in the folder of -o. The exit code is
 # that of the first run that did not hold its expectations.
@@ -77,4 +77,15 @@ cp "$pictures"/*-time.svg "$docs/leaderboard/"
 } >"$docs/leaderboard.md.new"
 mv "$docs/leaderboard.md.new" "$docs/leaderboard.md"
 echo "$docs/leaderboard.md" >&2
+
+# The README shows the first table: who is fastest.
+if [ "$docs" = docs ] && [ ${#made[@]} -gt 1 ]; then
+    fastest=$(awk '/^\| study/ { inside = 1 } inside && /^$/ { exit } inside' docs/leaderboard.md)
+    export fastest
+    awk '/^<!-- end of the leaderboard -->/ { inside = 0 }
+         !inside { print }
+         /^<!-- leaderboard, by tools\/leaderboard.sh -->/ { print "\n" ENVIRON["fastest"] "\n"; inside = 1 }' \
+        README.md >README.md.new
+    mv README.md.new README.md
+fi
 exit "$status"

@@ -68,6 +68,18 @@ std::string data_of(const Board& board) {
     return text;
 }
 
+/// "below: RRM, waves from 3e-06 s" for methods that are under the panel from their cheapest run on, else "".
+std::string below_words(const BoardPanel& panel) {
+    std::string text;
+    for (const auto& method : panel.methods) {
+        const auto above = [](const CostPoint& point) { return point.error > least_error; };
+        if (method.descent.empty() || std::ranges::any_of(method.points, above)) continue;
+        text += fmt::format("{}{} from {:.0e}", text.empty() ? "below: " : ", ", clipped(method.label, 24),
+                            method.descent.vertices.front().cost);
+    }
+    return text;
+}
+
 /// Curves of one panel; with it, in the first one, the legend of all.
 std::string plot_of(const Board& board, std::size_t i) {
     const BoardPanel& panel = board.panels[i];
@@ -80,7 +92,11 @@ std::string plot_of(const Board& board, std::size_t i) {
     }
     for (std::size_t k = 0; i == 0 && k < board.labels.size(); ++k)
         plots.push_back(fmt::format("keyentry with linespoints {} title {}", style_of(k), quoted(board.labels[k])));
-    return "set title " + quoted(panel.heading) + " noenhanced font ',10' offset 0,-0.7\nplot " +
+    const std::string below = below_words(panel);
+    const std::string label = below.empty()
+                                  ? "unset label 3\n"
+                                  : "set label 3 " + quoted(below) + " at graph 0.04,0.08 noenhanced font ',9'\n";
+    return "set title " + quoted(panel.heading) + " noenhanced font ',10' offset 0,-0.7\n" + label + "plot " +
            joined(plots, ", \\\n     ") + "\n";
 }
 

@@ -47,6 +47,11 @@ bool enough(const std::vector<double>& samples, double used, const TimingRule& r
     return count >= rule.least && statistics_of(samples).spread <= rule.spread;
 }
 
+/// How many runs of so many seconds a sample takes to last about `rule.shortest`.
+int times_within(double seconds, const TimingRule& rule) {
+    return static_cast<int>(std::clamp(std::ceil(rule.shortest / std::max(seconds, 1e-9)), 1.0, 1e4));
+}
+
 /// Where errors are over all steps, the run that was measured stopped between them, and may end in other last bits.
 bool in_one_piece(const RunSpec& spec) { return std::ranges::none_of(spec.measure.quantities, &Quantity::maximum); }
 
@@ -73,12 +78,13 @@ void time_again(const RunSpec& spec, RunOutcome& outcome, const TimingRule& rule
     Run& run = outcome.run;
     if (run.status != Status::ok) return;
     if (run.seconds >= rule.seconds) return set_times(run, {run.seconds});
-    const double least = std::max(run.seconds, 1e-9);
-    const int times = static_cast<int>(std::clamp(std::ceil(rule.shortest / least), 1.0, 1e4));
     std::optional<solvers::Snapshot> end;
     if (in_one_piece(spec)) end = outcome.snapshot;
     std::vector<double> samples;
-    for (double used = 0; !enough(samples, used, rule); used += times * samples.back()) {
+    double used = 0;
+    while (!enough(samples, used, rule)) {
+        // The run that was measured met cold caches; what follows is known better from sample to sample.
+        const int times = times_within(samples.empty() ? run.seconds : samples.back(), rule);
         auto [seconds, now] = sample_of(spec, times, stop, parts);
         if (end && !same_bits(*end, now)) {
             run.status = Status::failed;
@@ -90,6 +96,7 @@ void time_again(const RunSpec& spec, RunOutcome& outcome, const TimingRule& rule
         }
         end = std::move(now);
         samples.push_back(seconds);
+        used += times * seconds;
     }
     set_times(run, samples);
 }

@@ -89,6 +89,10 @@ TEST_CASE("board: a panel a report, one style a label, one legend", "[unit]") {
     const std::string script = reports::board({race(), other}, PlotFormat::svg, Cost::time).script;
     CHECK(numbers_of(block_of(script, "points1_0")).size() == 4);
     CHECK(numbers_of(block_of(script, "front0")).size() == 4);
+    CHECK(script.find("below: ") == std::string::npos);
+    for (auto& run : other.result.runs) run.errors[0].value *= run.solver == "mpm b" ? 1e-13 : 1;
+    CHECK_THAT(reports::board({race(), other}, PlotFormat::svg, Cost::time).script,
+               ContainsSubstring("set label 3 'below: mpm b from 2e-03'"));
     auto without = race();
     for (auto& run : without.result.runs) run.seconds = 0;
     CHECK_THROWS_AS(reports::board({race(), without}, PlotFormat::svg, Cost::time), InputError);
