@@ -23,10 +23,11 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"tests", {"tests", "bench", "app", "reports", "studies", "solvers", "oracles", "core"}},
 };
 
-/// Libraries of each room by the beginning of their headers. "POSIX" stands for headers of the system that end in .h.
+/// Libraries of each room by the beginning of their headers. "POSIX" stands for headers of the system that end in .h;
+/// immintrin.h and emmintrin.h are the compiler's own names of vector instructions.
 const std::map<std::string, std::vector<std::string>> may_use{
     {"core", {}},
-    {"solvers", {"Eigen/"}},
+    {"solvers", {"Eigen/", "immintrin.h", "emmintrin.h"}},
     {"oracles", {"boost/math/", "gsl/"}},
     {"studies", {"nlohmann/", "fmt/", "boost/math/", "boost/asio/", "Eigen/", "unsupported/Eigen/"}},
     {"reports", {"nlohmann/", "fmt/", "boost/math/", "xxhash.h", "POSIX"}},
