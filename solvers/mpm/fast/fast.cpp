@@ -40,6 +40,7 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
       total_(options.frame == Frame::total),
       everywhere_(options.kernel == Kernel::fast_everywhere || body_force_),
       grid_(scene, options, resolution),
+      per_h_(1 / grid_.h),
       slots_(grid_, particles, total_),
       boundary_(scene, options, resolution, particles),
       kernels_(kernels<dim>(grid_.degree, total_)),
@@ -266,7 +267,7 @@ void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
         s.lower[c] = grid_.lower[axis];
     }
     s.h = grid_.h;
-    s.per_h = 1 / grid_.h;
+    s.per_h = per_h_;
     s.kick = kick;
     s.dt = dt;
     s.lambda = C_.lambda;

@@ -65,8 +65,9 @@ private:
     void clear(Field& field);
 
     // who is where, in places.cpp and quiet.cpp
-    double place(Seat seat, int axis) const;  ///< as kernels find it, xi [-]
-    Vec<dim> where(Seat seat) const;          ///< x [m]
+    double place(double x, int cell, int axis) const;  ///< xi as kernels find it [-]
+    double place(Seat seat, int axis) const;
+    Vec<dim> where(Seat seat) const;  ///< x [m]
     void enter_leaver(const Leaver& leaver);
     void move_leavers(Pass pass);
     template <int degree>
@@ -90,6 +91,7 @@ private:
     double damping_;
     bool total_, everywhere_;
     Grid<dim> grid_;
+    double per_h_;             ///< [1/m]
     std::vector<Vec<dim>> X_;  ///< of the particles in their original order [m]
     Slots<dim> slots_;
     Boundary<dim> boundary_;

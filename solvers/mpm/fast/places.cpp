@@ -1,5 +1,6 @@
 // Where particles are: who has left a cell, who stands on a face.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "solvers/mpm/fast/fast.hpp"
@@ -25,12 +26,16 @@ Vec<dim> FastMpm<dim>::where(Seat seat) const {
 }
 
 template <int dim>
+double FastMpm<dim>::place(double x, int cell, int axis) const {
+    const double r = x - grid_.lower[axis];
+    const double xi = r * per_h_ - cell;
+    return xi >= beside && xi <= 1 - beside ? xi : r / grid_.h - cell;
+}
+
+template <int dim>
 double FastMpm<dim>::place(Seat seat, int axis) const {
     if (total_) return slots_.at(seat, Row<dim>::xi + axis);
-    const double r = slots_.at(seat, Row<dim>::x + axis) - grid_.lower[axis];
-    const int cell = slots_.cell(seat)[axis];
-    const double xi = r * (1 / grid_.h) - cell;
-    return xi >= beside && xi <= 1 - beside ? xi : r / grid_.h - cell;
+    return place(slots_.at(seat, Row<dim>::x + axis), slots_.cell(seat)[axis], axis);
 }
 
 template <int dim>
@@ -44,7 +49,8 @@ bool FastMpm<dim>::on_face(Seat seat) const {
 
 template <int dim>
 void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi, double* keep) {
-    for (int l = 0; l < lanes - lane; ++l) {
+    for (unsigned left = out | inverted; left != 0; left &= left - 1) {
+        const int l = std::countr_zero(left);
         const Seat seat{slot, lane + l};
         if (slots_.id(seat) == slots_.nobody) continue;
         const long p = slots_.id(seat) - 1;
@@ -57,7 +63,7 @@ void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsign
         Vec<dim> local;
         if (!grid_.locate(x, cell, local)) lost_ = std::min(lost_, p);
         const bool stays = cell == before;
-        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? place(seat, axis) : 0.5;
+        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? place(x[axis], cell[axis], axis) : 0.5;
         if (stays) {
             block.near = true;
             on_face_ = on_face_ || on_face(seat);
@@ -93,16 +99,14 @@ void FastMpm<dim>::move_leavers(Pass pass) {
     const bool quadratic = grid_.degree == 2;
     crossings_ += static_cast<long>(leavers_.size());
     for (; !leavers_.empty(); leavers_.pop_back()) {
-        const auto& [from, cell] = leavers_.back();
-        Block& left = slots_.blocks()[static_cast<std::size_t>(slots_.block_of(from.slot))];
+        const auto [from, cell] = leavers_.back();
         Block& entered = slots_.blocks()[static_cast<std::size_t>(slots_.block_at(cell))];
         missed_ = missed_ || (!entered.swept && entered.first >= 0);
         dirty_ = dirty_ || !entered.swept || !entered.awake;
         entered.awake = true;
         const Seat seat = slots_.move(from, cell);
-        dirty_ = dirty_ || left.first < 0;
         Vec<dim> xi;
-        for (int axis = 0; axis < dim; ++axis) xi[axis] = place(seat, axis);
+        for (int axis = 0; axis < dim; ++axis) xi[axis] = place(slots_.at(seat, Row<dim>::x + axis), cell[axis], axis);
         if (!(xi.minCoeff() >= beside && xi.maxCoeff() <= 1 - beside)) {
             entered.near = true;
             on_face_ = on_face_ || on_face(seat);
@@ -137,7 +141,7 @@ void FastMpm<dim>::share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& x
     double v[dim];
     for (int c = 0; c < dim; ++c) v[c] = slots_.at(seat, R::v + c);
     add_mass<dim - 1, true, true, One, dim, degree>(splines, slots_.at(seat, R::m), v, sums.m, sums.p, 0);
-    const double share = -slots_.at(seat, R::volume) * (1 / grid_.h);
+    const double share = -slots_.at(seat, R::volume) * per_h_;
     for (int c = 0; c < dim; ++c) {
         double t[dim];
         for (int i = 0; i < dim; ++i) t[i] = share * slots_.at(seat, R::sigma + (i == c ? i : dim + i + c - 1));

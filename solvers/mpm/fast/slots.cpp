@@ -127,15 +127,15 @@ void Slots<dim>::append(int block) {
 template <int dim>
 Seat Slots<dim>::seat_in(int block, int lane) {
     const int rank = count_[static_cast<std::size_t>(block * lanes + lane)]++;
-    const auto nth = [&] {
+    const auto ranked = [&] {
         int slot = blocks_[static_cast<std::size_t>(block)].first;
         for (int k = 0; k < rank && slot >= 0; ++k) slot = next_[static_cast<std::size_t>(slot)];
         return slot;
     };
-    int slot = nth();
+    int slot = ranked();
     if (slot < 0) {
         append(block);
-        slot = nth();
+        slot = ranked();
     }
     ++taken_[static_cast<std::size_t>(slot)];
     return {slot, lane};
