@@ -58,7 +58,8 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
         for (auto& component : *field) component.assign(nodes, {});
     }
     m_.assign(nodes, {});
-    for (int axis = 0; axis < dim; ++axis) ends_[static_cast<std::size_t>(axis)] = ends_along(grid_.cells[axis]);
+    for (int axis = 0; grid_.degree > 1 && axis < dim; ++axis)
+        ends_[static_cast<std::size_t>(axis)] = ends_along(grid_.cells[axis]);
     for (const auto& [node, axis] : grid_.held) held_.push_back({static_cast<int>(padded(node)), axis});
     if (boundary_.x.empty()) {
         for (auto* vectors : {&grid_.v, &grid_.a}) std::vector<Vec<dim>>().swap(*vectors);

@@ -133,9 +133,13 @@ void FastMpm<dim>::share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& x
     using R = Row<dim>;
     Along<One, degree> splines[dim];
     for (std::size_t axis = 0; axis < dim; ++axis) {
-        const double* end = ends_[axis].data() + cell[static_cast<int>(axis)];
-        const std::size_t n = ends_[axis].size() / 4;
-        fill<One, degree>(splines[axis], xi[static_cast<int>(axis)], {end[0], end[n], end[2 * n], end[3 * n]});
+        Ends<One> ends{};
+        if constexpr (degree > 1) {
+            const double* at = ends_[axis].data() + cell[static_cast<int>(axis)];
+            const std::size_t n = ends_[axis].size() / 4;
+            ends = {at[0], at[n], at[2 * n], at[3 * n]};
+        }
+        fill<One, degree>(splines[axis], xi[static_cast<int>(axis)], ends);
     }
     Sums<One, dim, degree> sums{};
     double v[dim];

@@ -6,8 +6,9 @@
 
 namespace ordo::solvers::mpm::fast {
 
-/// The blocks to sweep, and the nodes that they touch. So far beyond those awake that the nodes of all that a
-/// wave may reach in one step have all their mass.
+/// The blocks to sweep, and the nodes that they touch: those awake, and around them 4 degree cells, no more than a block
+/// has. A step of two gathers wakes 2 degree cells more; the first gather of the next reaches one degree further, and
+/// the nodes on which its stress acts have their mass, from the step before, from cells one more degree away.
 template <int dim>
 void FastMpm<dim>::arrange() {
     dirty_ = false;
@@ -32,7 +33,7 @@ void FastMpm<dim>::mark_swept() {
     int step = 1;
     for (int axis = 0; axis < dim; ++axis) {
         const int n = slots_.blocks_along(axis);
-        const int reach = axis == 0 ? 2 : 3 * grid_.degree;
+        const int reach = axis == 0 ? 1 : 4 * grid_.degree;
         // Along each line forth and back: how far the last awake block lies behind.
         for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
             if (b / step % n != 0) continue;

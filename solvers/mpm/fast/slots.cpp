@@ -52,7 +52,7 @@ Slots<dim>::Slots(const Grid<dim>& grid, const Particles<dim>& particles, bool t
                                  count_.begin() + static_cast<long>(b + 1) * lanes);
     };
     for (std::size_t b = 0; b < blocks_.size(); ++b) needed += static_cast<std::size_t>(longest(b));
-    reserve(needed + needed / 4 + 2 * blocks_.size() / static_cast<std::size_t>(along_[0]) + lanes);
+    reserve(needed + needed / 8 + 2 * blocks_.size() / static_cast<std::size_t>(along_[0]) + lanes);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         for (int k = longest(b); k > 0; --k) append(static_cast<int>(b));
     }

@@ -34,6 +34,26 @@ TEMPLATE_TEST_CASE_SIG("fast: the same bits with each set of instructions", "[pr
     }
 }
 
+TEST_CASE("fast: the same bits where many particles cross in a step", "[property]") {
+    const auto flying = [](const Vec<2>& X, double) {
+        return Vec<2>(9 + std::sin(40 * X[1]), 5 - std::cos(30 * X[0]));
+    };
+    const auto scene = box<2>(Vec<2>::Ones(), Face::free, pointwise<2>(flying));
+    std::map<std::string, std::vector<double>> bits;
+    for (const std::string set : {"baseline", "avx2", "avx512"}) {
+        if (set == "avx2" && !has(InstructionSet::avx2)) continue;
+        if (set == "avx512" && !has(InstructionSet::avx512)) continue;
+        setenv("ORDO_SIMD", set.c_str(), 1);
+        const Given options{{"stress_update", "musl"}, {"margin", 1.5}};
+        const Ended ended = run(scene, options, "fast", {{"cells", 12.0}, {"ppc", 3.0}, {"dt", 0.005}}, 0.03);
+        CHECK(figure(ended.work, "cell_crossings") > 500);
+        bits[set] = numbers(ended);
+        CHECK(bits[set].size() > 4);
+        CHECK(bits[set] == bits["baseline"]);
+    }
+    unsetenv("ORDO_SIMD");
+}
+
 TEST_CASE("fast: an unknown set of instructions is refused", "[unit]") {
     setenv("ORDO_SIMD", "sse9", 1);
     CHECK_THROWS_WITH(instruction_set(), ContainsSubstring("sse9") && ContainsSubstring("avx2"));
