@@ -120,8 +120,8 @@ Wave wave_of(const Case& wanted) {
     for (int axis = 0; axis < wanted.dim; ++axis) wave.cells[axis] = wanted.cells;
     wave.v0 = 1e-6;
     if (wanted.crossing) {
-        wave.drift = 0.25 * wave.h / wave.dt();
-        wave.margin = (most_crossing_steps + 1) / 4 + 2;
+        wave.drift = 0.26 * wave.h / wave.dt();
+        wave.margin = 26 * (most_crossing_steps + 1) / 100 + 2;
     }
     return wave;
 }

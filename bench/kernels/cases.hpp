@@ -14,12 +14,12 @@ struct Case {
     std::string loop;
     int dim = 1;
     int degree = 1;
-    bool crossing = false;  ///< the body drifts by a quarter of a cell a step; else no particle leaves its cell
+    bool crossing = false;  ///< the body drifts by 0.26 of a cell a step; else no particle leaves its cell
     int cells = 200;        ///< along each axis
 };
 
-/// Steps that a drifting body has room for after its start.
-constexpr long most_crossing_steps = 39;
+/// Steps that a drifting body has room for after its start, in which its particles cross faces ten times.
+constexpr long most_crossing_steps = 38;
 
 struct Started {
     std::function<void(long)> steps;  ///< so many more

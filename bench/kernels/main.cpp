@@ -34,7 +34,8 @@ std::map<std::string, Times> times_of(Case one, int rounds) {
             if (round == 0 || one.crossing) running[loop] = started(one);
             const Started& now = running[loop];
             const long wanted = std::max(1L, std::lround(2e5 / now.particles));
-            const long steps = one.crossing ? std::min(wanted, most_crossing_steps) : wanted;
+            // Particles of a cell cross together: so few steps that all cross thrice, or more.
+            const long steps = one.crossing ? std::clamp(wanted, 12L, most_crossing_steps) : wanted;
             const double begin = thread_seconds();
             now.steps(steps);
             all[loop].push_back(1e9 * (thread_seconds() - begin) / (static_cast<double>(steps) * now.particles));

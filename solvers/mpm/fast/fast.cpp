@@ -69,7 +69,8 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
     seen_.resize(nodes);
     order_.reserve(near_.size());
     runs_.reserve(nodes);
-    leavers_.reserve(X_.size());
+    for (auto* list : {&leaving_, &waiting_}) list->reserve(std::min(X_.size(), std::size_t{1} << 13));
+    turns_.reserve(leaving_.capacity());
     slots_.each([&](Seat seat) {
         const Cell<dim> cell = slots_.cell(seat);
         Vec<dim> xi;
@@ -202,36 +203,6 @@ void FastMpm<dim>::gather_body_force(double t) {
     sweep(Pass::load, 0, 0);
 }
 
-/// Nodes from sums to v, a or both. Held ones stand, by an impulse that takes all their force.
-template <int dim>
-void FastMpm<dim>::solve(Makes what, double kick, bool ends_m) {
-    const bool forces = what != Makes::v;
-    for (const auto& [node, axis] : held_) {
-        const auto c = static_cast<std::size_t>(axis);
-        if (forces) impulse_[axis] -= kick * (at(f_[c], node) - damping_ * at(p_[c], node));
-        if (forces) at(f_[c], node) = 0;
-        at(p_[c], node) = 0;
-    }
-    if (forces) impulse_ += kick * load_;
-    NodePass<dim> pass{};
-    pass.first = runs_.data();
-    pass.count = static_cast<long>(runs_.size());
-    pass.m = m_.front().at;
-    pass.kick = kick;
-    pass.damping = damping_;
-    pass.takes_p = what == Makes::v || what == Makes::both;
-    pass.takes_f = forces;
-    pass.adds = what == Makes::both || what == Makes::a_added;
-    pass.ends_m = ends_m;
-    for (std::size_t c = 0; c < dim; ++c) {
-        pass.p[c] = p_[c].front().at;
-        pass.f[c] = f_[c].front().at;
-        pass.v[c] = v_[c].front().at;
-        pass.a[c] = a_[c].front().at;
-    }
-    kernels_.nodes(pass);
-}
-
 template <int dim>
 void FastMpm<dim>::move_boundary(double dt, const Field& v) {
     for (std::size_t k = 0; k < boundary_.x.size(); ++k) {
@@ -241,57 +212,6 @@ void FastMpm<dim>::move_boundary(double dt, const Field& v) {
         });
     }
     if (!boundary_.x.empty()) boundary_.move(dt, grid_);
-}
-
-template <int dim>
-void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
-    Sweep<dim> s{};
-    s.slots = slots_.data();
-    s.stride = slots_.rows() * lanes;
-    s.next = slots_.next();
-    s.id = slots_.ids();
-    s.blocks = slots_.blocks().data();
-    s.order = order_.data();
-    s.count = static_cast<long>(order_.size());
-    s.m = m_.front().at;
-    const bool two = pass == Pass::follow_two;
-    for (int axis = 0; axis < dim; ++axis) {
-        const auto c = static_cast<std::size_t>(axis);
-        s.row[c] = slots_.row_of_nodes(axis);
-        s.v[c] = v_[c].front().at;
-        s.u[c] = two ? u_[c].front().at : nullptr;
-        s.a[c] = a_[c].front().at;
-        s.p[c] = p_[c].front().at;
-        s.f[c] = f_[c].front().at;
-        s.ends[c] = ends_[c].data();
-        s.cells[c] = static_cast<long>(ends_[c].size() / 4);
-        s.lower[c] = grid_.lower[axis];
-    }
-    s.h = grid_.h;
-    s.per_h = per_h_;
-    s.kick = kick;
-    s.dt = dt;
-    s.lambda = C_.lambda;
-    s.mu = C_.mu;
-    s.rate = rate_;
-    s.mesh = static_cast<Mesh>(options_.strain_mesh);
-    s.volume_updated = options_.volume_updated;
-    s.keeps_F = slots_.rows() > Row<dim>::F;
-    s.b = b_.empty() ? nullptr : b_.front().data();
-    s.settle_for = this;
-    const bool moves = pass != Pass::begin && pass != Pass::kick && pass != Pass::first && pass != Pass::load;
-    if (moves && !total_) on_face_ = false;
-    kernels_.sweep[static_cast<int>(pass)](s);
-    for (int c = 0; c < dim; ++c) {
-        for (int lane = 0; lane < lanes; ++lane) {
-            load_[c] += s.load[c][lane];
-            finite_ = finite_ && std::isfinite(s.travelled[c][lane]);
-        }
-    }
-    if (!finite_) throw Diverged("the positions of the particles are not finite");
-    if (inverted_ < static_cast<long>(X_.size()))
-        throw Diverged("particle " + std::to_string(inverted_) + " is turned inside out");
-    if (!leavers_.empty()) move_leavers(pass);
 }
 
 template class FastMpm<1>;

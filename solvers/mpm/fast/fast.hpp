@@ -48,9 +48,10 @@ private:
         Seat by;
     };
 
-    struct Leaver {
-        Seat from;
-        Cell<dim> to;
+    /// A traveller's turn to be seated.
+    struct Turn {
+        int block, seat;  ///< that it comes from
+        std::size_t who;
     };
 
     // the passes
@@ -68,10 +69,12 @@ private:
     double place(double x, int cell, int axis) const;  ///< xi as kernels find it [-]
     double place(Seat seat, int axis) const;
     Vec<dim> where(Seat seat) const;  ///< x [m]
-    void enter_leaver(const Leaver& leaver);
-    void move_leavers(Pass pass);
+    bool stands_within(const Vec<dim>& x, Cell<dim>& cell, Vec<dim>& xi) const;
+    void send(Seat from, const Cell<dim>& to, const Vec<dim>& xi, bool near);
+    void seat_travellers(Pass pass, int ahead);
+    void seat(const Traveller<dim>& who, Pass pass);
     template <int degree>
-    void share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& xi, Pass pass);
+    void share_out(const Traveller<dim>& who, Pass pass);
     void arrange();
     void mark_swept();
     void list_runs();
@@ -106,7 +109,8 @@ private:
     std::vector<int> order_;                             ///< of the blocks that are swept
     std::vector<long> runs_;                             ///< of the nodes that they touch
     std::vector<unsigned char> near_, seen_, seen_row_;  ///< marks of blocks, of runs of nodes, along a line
-    std::vector<Leaver> leavers_;
+    std::vector<Traveller<dim>> leaving_, waiting_;      ///< in this piece of a sweep, since an earlier one
+    std::vector<Turn> turns_;                            ///< of those that leave
     std::vector<Touch> touches_;
     std::vector<Vec<dim>> b_;  ///< [m/s^2]; entry 0 for lanes without particle
     Vec<dim> load_ = Vec<dim>::Zero();

@@ -47,6 +47,20 @@ bool FastMpm<dim>::on_face(Seat seat) const {
     return false;
 }
 
+/// The cell of x and its place there, as kernels find it; false `beside` a face and beyond the grid.
+template <int dim>
+bool FastMpm<dim>::stands_within(const Vec<dim>& x, Cell<dim>& cell, Vec<dim>& xi) const {
+    bool within = true;
+    for (int axis = 0; axis < dim; ++axis) {
+        const double r = (x[axis] - grid_.lower[axis]) * per_h_;
+        if (!(r > 0 && r < grid_.cells[axis])) return false;
+        cell[axis] = static_cast<int>(r);
+        xi[axis] = r - cell[axis];
+        within = within && xi[axis] >= beside && xi[axis] <= 1 - beside;
+    }
+    return within;
+}
+
 template <int dim>
 void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi, double* keep) {
     for (unsigned left = out | inverted; left != 0; left &= left - 1) {
@@ -57,33 +71,43 @@ void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsign
         if ((inverted >> l & 1) != 0) inverted_ = std::min(inverted_, p);
         if ((out >> l & 1) == 0) continue;
         const Vec<dim> x = where(seat);
-        finite_ = finite_ && x.allFinite();
-        const Cell<dim> before = slots_.cell(seat);
-        Cell<dim> cell = before;
+        Cell<dim> before;
+        for (int axis = 0; axis < dim; ++axis) before[axis] = block.cell[axis] + (axis == 0 ? seat.lane : 0);
+        Cell<dim> cell;
         Vec<dim> local;
-        if (!grid_.locate(x, cell, local)) lost_ = std::min(lost_, p);
+        const bool within = stands_within(x, cell, local);
+        if (!within) {
+            finite_ = finite_ && x.allFinite();
+            cell = before;
+            if (!grid_.locate(x, cell, local)) lost_ = std::min(lost_, p);
+            for (int axis = 0; axis < dim; ++axis) local[axis] = place(x[axis], cell[axis], axis);
+        }
         const bool stays = cell == before;
-        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? place(x[axis], cell[axis], axis) : 0.5;
+        for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? local[axis] : 0.5;
         if (stays) {
             block.near = true;
             on_face_ = on_face_ || on_face(seat);
         } else {
             keep[l] = 0;
-            enter_leaver({seat, cell});
+            send(seat, cell, local, !within);
         }
     }
 }
 
-/// In the order of blocks, ranks and lanes, in which the widest set of instructions meets them.
+/// Turns go by blocks, ranks and lanes, the order in which the widest set of instructions meets the particles.
 template <int dim>
-void FastMpm<dim>::enter_leaver(const Leaver& leaver) {
-    const auto order = [&](Seat s) { return slots_.rank(s.slot) * lanes + s.lane; };
-    const int block = slots_.block_of(leaver.from.slot);
-    leavers_.push_back(leaver);
-    for (std::size_t k = leavers_.size() - 1; k > 0; --k) {
-        const Seat before = leavers_[k - 1].from;
-        if (slots_.block_of(before.slot) != block || order(before) < order(leaver.from)) break;
-        std::swap(leavers_[k - 1], leavers_[k]);
+void FastMpm<dim>::send(Seat from, const Cell<dim>& to, const Vec<dim>& xi, bool near) {
+    const Turn turn{slots_.block_of(from.slot), slots_.rank(from.slot) * lanes + from.lane, leaving_.size()};
+    auto& who = leaving_.emplace_back();
+    slots_.take_out(from, who);
+    who.to = to;
+    who.block = slots_.block_at(to);
+    who.xi = xi;
+    who.near = near;
+    turns_.push_back(turn);
+    for (std::size_t k = turns_.size() - 1; k > 0; --k) {
+        if (turns_[k - 1].block != turn.block || turns_[k - 1].seat < turn.seat) break;
+        std::swap(turns_[k - 1], turns_[k]);
     }
 }
 
@@ -93,27 +117,45 @@ void settle(const Sweep<dim>& sweep, Block& block, int slot, int lane, unsigned 
     static_cast<FastMpm<dim>*>(sweep.settle_for)->settle(block, slot, lane, out, inverted, xi, keep);
 }
 
-/// From the last to the first, so that a seat that is filled up is filled by one that stays.
+/// Those who come to blocks before `ahead`, which will not be swept again; the others wait. Gaps that nobody has taken
+/// are closed.
 template <int dim>
-void FastMpm<dim>::move_leavers(Pass pass) {
-    const bool quadratic = grid_.degree == 2;
-    crossings_ += static_cast<long>(leavers_.size());
-    for (; !leavers_.empty(); leavers_.pop_back()) {
-        const auto [from, cell] = leavers_.back();
-        Block& entered = slots_.blocks()[static_cast<std::size_t>(slots_.block_at(cell))];
-        missed_ = missed_ || (!entered.swept && entered.first >= 0);
-        dirty_ = dirty_ || !entered.swept || !entered.awake;
-        entered.awake = true;
-        const Seat seat = slots_.move(from, cell);
-        Vec<dim> xi;
-        for (int axis = 0; axis < dim; ++axis) xi[axis] = place(slots_.at(seat, Row<dim>::x + axis), cell[axis], axis);
-        if (!(xi.minCoeff() >= beside && xi.maxCoeff() <= 1 - beside)) {
-            entered.near = true;
-            on_face_ = on_face_ || on_face(seat);
-        }
-        if (quadratic) share_out<2>(seat, cell, xi, pass);
-        else share_out<1>(seat, cell, xi, pass);
+void FastMpm<dim>::seat_travellers(Pass pass, int ahead) {
+    const auto comes_later = [&](const Traveller<dim>& who) { return who.block >= ahead; };
+    std::size_t later = 0;
+    for (const auto& who : waiting_) {
+        if (comes_later(who)) waiting_[later++] = who;
+        else seat(who, pass);
     }
+    waiting_.resize(later);
+    for (const Turn& turn : turns_) {
+        const auto& who = leaving_[turn.who];
+        if (comes_later(who)) waiting_.push_back(who);
+        else seat(who, pass);
+    }
+    crossings_ += static_cast<long>(turns_.size());
+    for (std::size_t k = 0; k < turns_.size(); ++k) {
+        const Seat gap = leaving_[turns_[k].who].from;
+        if (slots_.id(gap) == slots_.nobody) slots_.close(gap);
+        if (k + 1 == turns_.size() || turns_[k].block != turns_[k + 1].block) slots_.trim(turns_[k].block);
+    }
+    leaving_.clear();
+    turns_.clear();
+}
+
+template <int dim>
+void FastMpm<dim>::seat(const Traveller<dim>& who, Pass pass) {
+    Block& entered = slots_.blocks()[static_cast<std::size_t>(who.block)];
+    missed_ = missed_ || (!entered.swept && entered.first >= 0);
+    dirty_ = dirty_ || !entered.swept || !entered.awake;
+    entered.awake = true;
+    const Seat seat = slots_.put_in(who);
+    if (who.near) {
+        entered.near = true;
+        on_face_ = on_face_ || on_face(seat);
+    }
+    if (grid_.degree == 2) share_out<2>(who, pass);
+    else share_out<1>(who, pass);
 }
 
 namespace {
@@ -129,38 +171,40 @@ struct One {
 /// What a particle that came after the sweep gives to the nodes.
 template <int dim>
 template <int degree>
-void FastMpm<dim>::share_out(Seat seat, const Cell<dim>& cell, const Vec<dim>& xi, Pass pass) {
+void FastMpm<dim>::share_out(const Traveller<dim>& who, Pass pass) {
     using R = Row<dim>;
     Along<One, degree> splines[dim];
+    long first = 0;
     for (std::size_t axis = 0; axis < dim; ++axis) {
+        const int along = who.to[static_cast<int>(axis)];
+        first += along * slots_.row_of_nodes(static_cast<int>(axis));
         Ends<One> ends{};
         if constexpr (degree > 1) {
-            const double* at = ends_[axis].data() + cell[static_cast<int>(axis)];
+            const double* at = ends_[axis].data() + along;
             const std::size_t n = ends_[axis].size() / 4;
             ends = {at[0], at[n], at[2 * n], at[3 * n]};
         }
-        fill<One, degree>(splines[axis], xi[static_cast<int>(axis)], ends);
+        fill<One, degree>(splines[axis], who.xi[static_cast<int>(axis)], ends);
     }
     Sums<One, dim, degree> sums{};
     double v[dim];
-    for (int c = 0; c < dim; ++c) v[c] = slots_.at(seat, R::v + c);
-    add_mass<dim - 1, true, true, One, dim, degree>(splines, slots_.at(seat, R::m), v, sums.m, sums.p, 0);
-    const double share = -slots_.at(seat, R::volume) * per_h_;
+    for (int c = 0; c < dim; ++c) v[c] = who.row[R::v + c];
+    add_mass<dim - 1, true, true, One, dim, degree>(splines, who.row[R::m], v, sums.m, sums.p, 0);
+    const double share = -who.row[R::volume] * per_h_;
     for (int c = 0; c < dim; ++c) {
         double t[dim];
-        for (int i = 0; i < dim; ++i) t[i] = share * slots_.at(seat, R::sigma + (i == c ? i : dim + i + c - 1));
+        for (int i = 0; i < dim; ++i) t[i] = share * who.row[R::sigma + (i == c ? i : dim + i + c - 1)];
         add_force<dim - 1, false, One, dim, degree>(splines, 0.0, t, sums.f, c, 0);
     }
-    long first = 0;
-    for (int axis = 0; axis < dim; ++axis) first += cell[axis] * slots_.row_of_nodes(axis);
+    double* m = m_.front().at;
     for (int k = 0; k < Sums<One, dim, degree>::nodes; ++k) {
         const int j = k / (degree + 1);
         const long node = first + k % (degree + 1) + j % (degree + 1) * slots_.row_of_nodes(1) +
                           j / (degree + 1) * slots_.row_of_nodes(2);
-        at(m_, node) += sums.m[k];
+        m[node] += sums.m[k];
         for (std::size_t c = 0; c < dim; ++c) {
-            if (pass != Pass::follow) at(p_[c], node) += sums.p[k][c];
-            if (pass != Pass::kick_move) at(f_[c], node) += sums.f[k][c];
+            if (pass != Pass::follow) p_[c].front().at[node] += sums.p[k][c];
+            if (pass != Pass::kick_move) f_[c].front().at[node] += sums.f[k][c];
         }
     }
 }

@@ -6,9 +6,9 @@
 
 namespace ordo::solvers::mpm::fast {
 
-/// The blocks to sweep, and the nodes that they touch: those awake, and around them 4 degree cells, no more than a block
-/// has. A step of two gathers wakes 2 degree cells more; the first gather of the next reaches one degree further, and
-/// the nodes on which its stress acts have their mass, from the step before, from cells one more degree away.
+/// The blocks to sweep, and the nodes that they touch: those awake, and around them 4 degree cells, no more than a
+/// block has. A step of two gathers wakes 2 degree cells more; the first gather of the next reaches one degree further,
+/// and the nodes on which its stress acts have their mass, from the step before, from cells one more degree away.
 template <int dim>
 void FastMpm<dim>::arrange() {
     dirty_ = false;

@@ -39,24 +39,23 @@ Slots<dim>::Slots(const Grid<dim>& grid, const Particles<dim>& particles, bool t
         block.cell[2] = number / along_[0] / along_[1];
         block.node = block.cell[0] + block.cell[1] * node_row_[1] + block.cell[2] * node_row_[2];
     }
-    count_.assign(blocks_.size() * lanes, 0);
     // Chains of the length that each block needs, side by side in memory; then the particles.
+    std::vector<int> count(blocks_.size() * lanes, 0);
     std::vector<Cell<dim>> cells;
     for (const auto& x : total ? particles.X : particles.x) {
         cells.push_back(nearest_cell(grid, x));
-        ++count_[static_cast<std::size_t>(block_at(cells.back()) * lanes + cells.back()[0] % lanes)];
+        ++count[static_cast<std::size_t>(block_at(cells.back()) * lanes + cells.back()[0] % lanes)];
     }
     std::size_t needed = 0;
     const auto longest = [&](std::size_t b) {
-        return *std::max_element(count_.begin() + static_cast<long>(b) * lanes,
-                                 count_.begin() + static_cast<long>(b + 1) * lanes);
+        return *std::max_element(count.begin() + static_cast<long>(b) * lanes,
+                                 count.begin() + static_cast<long>(b + 1) * lanes);
     };
     for (std::size_t b = 0; b < blocks_.size(); ++b) needed += static_cast<std::size_t>(longest(b));
     reserve(needed + needed / 8 + 2 * blocks_.size() / static_cast<std::size_t>(along_[0]) + lanes);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         for (int k = longest(b); k > 0; --k) append(static_cast<int>(b));
     }
-    std::fill(count_.begin(), count_.end(), 0);
     for (std::size_t p = 0; p < cells.size(); ++p) fill(seat_in(block_at(cells[p]), cells[p][0] % lanes), particles, p);
 }
 
@@ -87,12 +86,12 @@ Cell<dim> Slots<dim>::cell(Seat seat) const {
 template <int dim>
 int Slots<dim>::particles_in(int block) const {
     int sum = 0;
-    for (int lane = 0; lane < lanes; ++lane) sum += count_[static_cast<std::size_t>(block * lanes + lane)];
+    each_in(blocks_[static_cast<std::size_t>(block)], [&](Seat) { ++sum; });
     return sum;
 }
 
 template <int dim>
-void Slots<dim>::append(int block) {
+int Slots<dim>::append(int block) {
     int slot = free_;
     if (slot >= 0) {
         free_ = next_[static_cast<std::size_t>(slot)];
@@ -115,48 +114,40 @@ void Slots<dim>::append(int block) {
     taken_[k] = 0;
     for (int lane = 0; lane < lanes; ++lane) {
         for (int row = 0; row < rows_; ++row) at({slot, lane}, row) = 0;
-        empty({slot, lane});
+        empty({slot, lane}, blocks_[static_cast<std::size_t>(block)]);
         for (int axis = 0; axis < dim; ++axis) {
             if (rows_ > Row<dim>::F) at({slot, lane}, Row<dim>::F + axis * (dim + 1)) = 1;
             if (total_) at({slot, lane}, Row<dim>::xi + axis) = 0.5;
         }
     }
+    return slot;
 }
 
-/// The seat after the last particle of a cell.
+/// The first empty seat of a cell.
 template <int dim>
 Seat Slots<dim>::seat_in(int block, int lane) {
-    const int rank = count_[static_cast<std::size_t>(block * lanes + lane)]++;
-    const auto ranked = [&] {
-        int slot = blocks_[static_cast<std::size_t>(block)].first;
-        for (int k = 0; k < rank && slot >= 0; ++k) slot = next_[static_cast<std::size_t>(slot)];
-        return slot;
-    };
-    int slot = ranked();
-    if (slot < 0) {
-        append(block);
-        slot = ranked();
-    }
-    ++taken_[static_cast<std::size_t>(slot)];
-    return {slot, lane};
+    const int* link = &blocks_[static_cast<std::size_t>(block)].first;
+    while (*link >= 0 && id({*link, lane}) != nobody) link = &next_[static_cast<std::size_t>(*link)];
+    return {*link >= 0 ? *link : append(block), lane};
 }
 
 /// Without mass, mid-cell: whatever is gathered there moves nothing and gives nothing.
 template <int dim>
-void Slots<dim>::empty(Seat seat) {
+void Slots<dim>::empty(Seat seat, const Block& block) {
     using R = Row<dim>;
-    id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)] = nobody;
+    id_[number(seat)] = nobody;
     double* rows = &at(seat, 0);
     rows[R::m * lanes] = 0;
     rows[R::volume * lanes] = 0;
-    const Cell<dim> in = cell(seat);
-    for (int axis = 0; axis < dim; ++axis) rows[(R::x + axis) * lanes] = lower_[axis] + h_ * (in[axis] + 0.5);
+    for (int axis = 0; axis < dim; ++axis)
+        rows[(R::x + axis) * lanes] = lower_[axis] + h_ * (block.cell[axis] + (axis == 0 ? seat.lane : 0) + 0.5);
 }
 
 template <int dim>
 void Slots<dim>::fill(Seat seat, const Particles<dim>& particles, std::size_t p) {
     using R = Row<dim>;
-    id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)] = static_cast<int>(p) + 1;
+    id_[number(seat)] = static_cast<int>(p) + 1;
+    ++taken_[static_cast<std::size_t>(seat.slot)];
     const Cell<dim> in = cell(seat);
     for (int i = 0; i < dim; ++i) {
         at(seat, R::x + i) = particles.x[p][i];
@@ -170,37 +161,66 @@ void Slots<dim>::fill(Seat seat, const Particles<dim>& particles, std::size_t p)
     for (int k = 0; rows_ > R::F && k < dim * dim; ++k) at(seat, R::F + k) = particles.F[p].data()[k];
 }
 
+/// visit(row) for those of a particle in the updated frame; most have no F, and their number is known here.
 template <int dim>
-void Slots<dim>::copy(Seat from, Seat to) {
-    const double* old = &at(from, 0);
-    double* now = &at(to, 0);
-    for (long row = 0; row < rows_; ++row) now[row * lanes] = old[row * lanes];
-    id_[static_cast<std::size_t>(to.slot * lanes + to.lane)] = id(from);
+template <class Visit>
+void Slots<dim>::each_row(Visit&& visit) const {
+#pragma GCC unroll 14
+    for (int row = 0; row < Row<dim>::of_updated; ++row) visit(row);
+    for (int row = Row<dim>::of_updated; row < rows_; ++row) visit(row);
 }
 
 template <int dim>
-Seat Slots<dim>::move(Seat from, const Cell<dim>& to) {
-    const Seat seat = seat_in(block_at(to), to[0] % lanes);
-    copy(from, seat);
-    leave(from);
-    return seat;
+void Slots<dim>::take_out(Seat seat, Traveller<dim>& to) {
+    const double* rows = &at(seat, 0);
+    each_row([&](int row) { to.row[row] = rows[row * lanes]; });
+    to.id = id(seat);
+    to.from = seat;
+    --taken_[static_cast<std::size_t>(seat.slot)];
+    empty(seat, blocks_[static_cast<std::size_t>(block_of(seat.slot))]);
 }
 
-/// The last particle of the cell takes the seat; a last slot without particle goes back to the pool.
 template <int dim>
-void Slots<dim>::leave(Seat seat) {
-    const int block = block_of(seat.slot);
-    const int rank_of_last = --count_[static_cast<std::size_t>(block * lanes + seat.lane)];
-    int* link = &blocks_[static_cast<std::size_t>(block)].first;
-    while (rank(*link) < rank_of_last) link = &next_[static_cast<std::size_t>(*link)];
-    const Seat last{*link, seat.lane};
-    if (last.slot != seat.slot) copy(last, seat);
-    empty(last);
-    const auto k = static_cast<std::size_t>(last.slot);
-    if (--taken_[k] > 0) return;
-    *link = next_[k];
-    next_[k] = free_;
-    free_ = last.slot;
+void Slots<dim>::seat(const Traveller<dim>& who, Seat seat) {
+    double* rows = &at(seat, 0);
+    each_row([&](int row) { rows[row * lanes] = who.row[row]; });
+    id_[number(seat)] = who.id;
+    ++taken_[static_cast<std::size_t>(seat.slot)];
+}
+
+template <int dim>
+Seat Slots<dim>::put_in(const Traveller<dim>& who) {
+    const Seat at = seat_in(who.block, who.to[0] % lanes);
+    seat(who, at);
+    return at;
+}
+
+template <int dim>
+void Slots<dim>::close(Seat gap) {
+    int last = -1;
+    for (int slot = next_[static_cast<std::size_t>(gap.slot)]; slot >= 0;
+         slot = next_[static_cast<std::size_t>(slot)]) {
+        if (id({slot, gap.lane}) != nobody) last = slot;
+    }
+    if (last < 0) return;
+    Traveller<dim> who;
+    take_out({last, gap.lane}, who);
+    seat(who, gap);
+}
+
+template <int dim>
+void Slots<dim>::trim(int block) {
+    for (int* link = &blocks_[static_cast<std::size_t>(block)].first; *link >= 0;) {
+        const int slot = *link;
+        int& next = next_[static_cast<std::size_t>(slot)];
+        if (taken_[static_cast<std::size_t>(slot)] > 0) {
+            link = &next;
+        } else {
+            *link = next;
+            next = free_;
+            free_ = slot;
+        }
+    }
 }
 
 template class Slots<1>;

@@ -18,6 +18,18 @@ struct Seat {
     int lane;
 };
 
+/// A particle between two seats, in one piece.
+template <int dim>
+struct Traveller {
+    double row[Row<dim>::of_updated_with_F];
+    Vec<dim> xi;  ///< place in the cell that it comes to [-]
+    int id;
+    int block;  ///< that it comes to
+    Seat from;
+    Cell<dim> to;
+    bool near;  ///< it comes to stand `beside` a face
+};
+
 /// The particles of a cell fill the slots of its block from the first on; a slot without particle goes back to the
 /// pool. A lane without particle has mass and volume zero.
 template <int dim>
@@ -32,7 +44,7 @@ public:
     double at(Seat seat, int row) const { return data_[index(seat.slot, row)].at[seat.lane]; }
     const int* next() const { return next_.data(); }
     const int* ids() const { return id_.data(); }
-    int id(Seat seat) const { return id_[static_cast<std::size_t>(seat.slot * lanes + seat.lane)]; }
+    int id(Seat seat) const { return id_[number(seat)]; }
     int block_of(int slot) const { return block_of_[static_cast<std::size_t>(slot)]; }
     int rank(int slot) const { return rank_[static_cast<std::size_t>(slot)]; }  ///< in its block's chain
     std::vector<Block>& blocks() { return blocks_; }
@@ -43,8 +55,10 @@ public:
     int particles_in(int block) const;
     long row_of_nodes(int axis) const { return node_row_[axis]; }  ///< from a node to the next along an axis
 
-    /// A particle from its seat to a cell; its new seat.
-    Seat move(Seat from, const Cell<dim>& to);
+    void take_out(Seat seat, Traveller<dim>& to);  ///< leaves a gap
+    Seat put_in(const Traveller<dim>& who);        ///< its new seat: the first gap of its cell, or after the last
+    void close(Seat gap);                          ///< the last particle of the cell takes the empty seat
+    void trim(int block);                          ///< slots without particle go back to the pool
 
     /// visit(seat) for all particles of a block, or of all.
     template <class Visit>
@@ -63,15 +77,17 @@ public:
     static constexpr int nobody = 0;  ///< ids are counted from one, so that a lane without particle reads the first
 
 private:
+    static std::size_t number(Seat seat) { return static_cast<std::size_t>(seat.slot * lanes + seat.lane); }
     std::size_t index(int slot, int row) const {
         return static_cast<std::size_t>(slot) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
     }
     void reserve(std::size_t slots);
-    void append(int block);  ///< an empty slot
+    int append(int block);  ///< an empty slot; its number
     Seat seat_in(int block, int lane);
-    void empty(Seat seat);
-    void copy(Seat from, Seat to);
-    void leave(Seat seat);
+    void empty(Seat seat, const Block& block);
+    void seat(const Traveller<dim>& who, Seat seat);
+    template <class Visit>
+    void each_row(Visit&& visit) const;
     void fill(Seat seat, const Particles<dim>& particles, std::size_t p);
 
     Vec<dim> lower_;
@@ -82,7 +98,6 @@ private:
     bool total_;
     std::vector<Eight> data_;
     std::vector<int> id_, next_, block_of_, rank_, taken_;  ///< of the slots; `taken`: lanes with a particle
-    std::vector<int> count_;                                ///< particles of each cell
     std::vector<Block> blocks_;
     int free_ = -1;
 };
