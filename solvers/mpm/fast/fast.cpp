@@ -68,6 +68,7 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
     near_.resize(slots_.blocks().size());
     seen_.resize(nodes);
     order_.reserve(near_.size());
+    watched_.reserve(everywhere_ ? 0 : near_.size());
     runs_.reserve(nodes);
     for (auto* list : {&leaving_, &waiting_}) list->reserve(std::min(X_.size(), std::size_t{1} << 13));
     turns_.reserve(leaving_.capacity());
@@ -80,7 +81,7 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
         slots_.blocks()[static_cast<std::size_t>(slots_.block_of(seat.slot))].near = true;
         on_face_ = on_face_ || on_face(seat);
     });
-    for (std::size_t b = 0; b < near_.size(); ++b) order_.push_back(static_cast<int>(b));
+    for (std::size_t b = 0; !everywhere_ && b < near_.size(); ++b) watched_.push_back(static_cast<int>(b));
     wake();
     begin();
 }

@@ -107,6 +107,7 @@ private:
     Field p_, f_, v_, a_, u_;
     std::vector<Held> held_;                             ///< nodes by their place in the fields
     std::vector<int> order_;                             ///< of the blocks that are swept
+    std::vector<int> watched_;                           ///< those of them that sleep
     std::vector<long> runs_;                             ///< of the nodes that they touch
     std::vector<unsigned char> near_, seen_, seen_row_;  ///< marks of blocks, of runs of nodes, along a line
     std::vector<Traveller<dim>> leaving_, waiting_;      ///< in this piece of a sweep, since an earlier one
