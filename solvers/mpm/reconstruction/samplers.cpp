@@ -35,11 +35,15 @@ void MovingSampler::prepare(const Layout& layout, double radius) {
     first_.clear();
     end_.clear();
     phi_.clear();
-    for (const double at : layout.places) {
-        if (!mls.fit(at, radius, fewest)) too_few(at);
-        first_.push_back(mls.first());
-        phi_.insert(phi_.end(), mls.weights().begin(), mls.weights().end());
-        end_.push_back(phi_.size());
+    for (std::size_t from = 0; from < layout.places.size(); from += mls.together) {
+        const auto places = layout.places.subspan(from, std::min(mls.together, layout.places.size() - from));
+        if (!mls.fit(places, radius, fewest)) too_few(places.front());
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto [first, last] = mls.window(k);
+            first_.push_back(first);
+            for (std::size_t p = first; p < last; ++p) phi_.push_back(mls.weight(k, p));
+            end_.push_back(phi_.size());
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "solvers/instruction_set.hpp"
 #include "tests/catch.hpp"
 
 using namespace ordo::solvers::mpm;
@@ -20,9 +21,13 @@ std::vector<double> scattered() {
 
 double value(const MovingLeastSquares& mls, const std::vector<double>& x, int power) {
     double sum = 0;
-    for (std::size_t k = 0; k < mls.weights().size(); ++k)
-        sum += mls.weights()[k] * std::pow(x[mls.first() + k], power);
+    const auto [first, last] = mls.window(0);
+    for (std::size_t p = first; p < last; ++p) sum += mls.weight(0, p) * std::pow(x[p], power);
     return sum;
+}
+
+bool fit(MovingLeastSquares& mls, double at, double radius, std::size_t fewest) {
+    return mls.fit(std::span(&at, 1), radius, fewest);
 }
 
 }  // namespace
@@ -33,13 +38,13 @@ TEST_CASE("least squares: polynomials of the degree are met exactly, amid and at
     MovingLeastSquares mls(x, degree);
     const auto fewest = static_cast<std::size_t>(degree + 2);
     for (const double at : {0.0, 0.1, 3.3, 5.0, 9.9, 10.0}) {
-        REQUIRE(mls.fit(at, 0.375 * (degree + 1.5), fewest));
+        REQUIRE(fit(mls, at, 0.375 * (degree + 1.5), fewest));
         for (int power = 0; power <= degree; ++power) {
             const double scale = std::pow(10, power);  // powers of the local coordinate would be smaller
             CHECK(std::abs(value(mls, x, power) - std::pow(at, power)) < 1e-10 * scale);
         }
     }
-    REQUIRE(mls.fit(5.0, 0.375 * (degree + 1.5), fewest));
+    REQUIRE(fit(mls, 5.0, 0.375 * (degree + 1.5), fewest));
     CHECK(std::abs(value(mls, x, degree + 1) - std::pow(5, degree + 1)) > 1e-7);
 }
 
@@ -49,7 +54,7 @@ TEST_CASE("least squares: the weights are those of the normal equations, with th
     const double at = 4.3;
     const double radius = 0.9;
     MovingLeastSquares mls(x, 1);
-    REQUIRE(mls.fit(at, radius, 2));
+    REQUIRE(fit(mls, at, radius, 2));
     const auto w = [&](std::size_t k) {
         const double r = std::abs(x[k] - at) / radius;
         return r <= 0.5 ? 2.0 / 3 - 4 * r * r + 4 * r * r * r
@@ -63,9 +68,9 @@ TEST_CASE("least squares: the weights are those of the normal equations, with th
         S2 += w(k) * (x[k] - at) * (x[k] - at);
     }
     for (std::size_t k = 0; k < x.size(); ++k) {
-        const bool inside = k >= mls.first() && k < mls.first() + mls.weights().size();
+        const bool inside = k >= mls.window(0).first && k < mls.window(0).last;
         const double expected = w(k) * (S2 - S1 * (x[k] - at)) / (S0 * S2 - S1 * S1);
-        CHECK((inside ? mls.weights()[k - mls.first()] : 0) == Approx(expected).margin(1e-13));
+        CHECK((inside ? mls.weight(0, k) : 0) == Approx(expected).margin(1e-13));
     }
 }
 
@@ -74,22 +79,47 @@ TEST_CASE("least squares: places may come in any order", "[unit]") {
     MovingLeastSquares in_order(x, 2), any_order(x, 2);
     for (const double at : {9.0, 0.5, 4.0, 3.9, 9.9, 0.0}) {
         MovingLeastSquares fresh(x, 2);
-        REQUIRE(fresh.fit(at, 1, 4));
-        REQUIRE(any_order.fit(at, 1, 4));
-        CHECK(any_order.first() == fresh.first());
-        CHECK(any_order.weights() == fresh.weights());
+        REQUIRE(fit(fresh, at, 1, 4));
+        REQUIRE(fit(any_order, at, 1, 4));
+        const auto [first, last] = fresh.window(0);
+        CHECK((any_order.window(0).first == first && any_order.window(0).last == last));
+        for (std::size_t p = first; p < last; ++p) CHECK(any_order.weight(0, p) == fresh.weight(0, p));
     }
 }
 
 TEST_CASE("least squares: a window too narrow is widened to the nearest, and too few are told", "[unit]") {
     const std::vector<double> x{0, 1, 2, 10, 11};
     MovingLeastSquares mls(x, 1);
-    REQUIRE(mls.fit(9, 0.1, 3));
-    CHECK((mls.first() == 2 && mls.weights().size() == 3));  // 2, 10 and 11
+    REQUIRE(fit(mls, 9, 0.1, 3));
+    CHECK((mls.window(0).first == 2 && mls.window(0).last == 5));  // 2, 10 and 11
     CHECK(value(mls, x, 0) == Approx(1));
     CHECK(value(mls, x, 1) == Approx(9));
-    CHECK_FALSE(mls.fit(9, 0.1, 6));
+    CHECK_FALSE(fit(mls, 9, 0.1, 6));
     const std::vector<double> one_place(4, 2.0);
     MovingLeastSquares coincident(one_place, 1);
-    CHECK_FALSE(coincident.fit(2, 1, 2));  // no slope to be had
+    CHECK_FALSE(fit(coincident, 2, 1, 2));  // no slope to be had
+}
+
+TEST_CASE("least squares: a place has the same weights alone and beside others, with each set of instructions",
+          "[unit]") {
+    const auto x = scattered();
+    const int degree = GENERATE(1, 2, 3, 4, 5, 6);
+    const double radius = 0.375 * (degree + 1.5);
+    const std::vector<double> places{0.1, 0.7, 1.2, 1.3, 2, 2.5, 2.6, 3.1};
+    for (const std::string set : {"baseline", "avx2", "avx512"}) {
+        if (set == "avx2" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx2)) continue;
+        if (set == "avx512" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx512)) continue;
+        setenv("ORDO_SIMD", set.c_str(), 1);
+        MovingLeastSquares all(x, degree);
+        REQUIRE(all.fit(places, radius, 4));
+        setenv("ORDO_SIMD", "baseline", 1);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            MovingLeastSquares one(x, degree);
+            REQUIRE(fit(one, places[k], radius, 4));
+            const auto [first, last] = one.window(0);
+            REQUIRE((all.window(k).first == first && all.window(k).last == last));
+            for (std::size_t p = first; p < last; ++p) CHECK(all.weight(k, p) == one.weight(0, p));
+        }
+    }
+    unsetenv("ORDO_SIMD");
 }
