@@ -14,15 +14,18 @@ void FastMpm<dim>::arrange() {
     dirty_ = false;
     mark_swept();
     order_.clear();
+    asleep_.clear();
     in_sweep_ = 0;
     auto& blocks = slots_.blocks();
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         blocks[b].swept = near_[b] != 0 && blocks[b].first >= 0;
         if (!blocks[b].swept) continue;
         order_.push_back(static_cast<int>(b));
+        if (!blocks[b].awake) asleep_.push_back(static_cast<int>(b));
         in_sweep_ += slots_.particles_in(static_cast<int>(b));
     }
     list_runs();
+    cut();
 }
 
 template <int dim>
@@ -88,7 +91,7 @@ void FastMpm<dim>::wake() {
         }
         return any;
     };
-    for (const int number : order_) {
+    for (const int number : asleep_) {
         Block& block = slots_.blocks()[static_cast<std::size_t>(number)];
         if (block.awake) continue;
         slots_.each_in(block, [&](Seat seat) { block.awake = block.awake || restless(seat); });
