@@ -65,6 +65,8 @@ public:
     virtual std::vector<Figure> work() const = 0;   ///< counted work so far: the same on every machine
     virtual std::vector<Figure> drift() const = 0;  ///< relative defects of the conserved quantities so far
     virtual std::vector<Skipped> skipped() const { return {}; }
+    /// Processor time so far of threads beside the caller's, up to their last piece of work [s].
+    virtual double helper_seconds() const { return 0; }
 };
 
 /// What a start will do, known before it runs: mesh width [m], or whatever else Solver::width says that it refines;

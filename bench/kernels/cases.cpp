@@ -68,6 +68,7 @@ std::function<void(long)> solver_steps(const Wave& wave, const std::string& word
     if (wave.margin > 0) options["margin"] = static_cast<double>(wave.margin) / wave.cells[0];
     if (with == "fixed_volume") options["volume"] = "fixed";
     const std::vector<std::string> fields(with == "strain" ? 1 : 0, "strain");
+    if (with == "threads") options["threads"] = 2.0;
     if (has_fast_kernel()) options["kernel"] = kernel;
     const Given resolution{{"cells", static_cast<double>(wave.cells[0])}, {"ppc", 2.0}, {"dt", wave.dt()}};
     std::shared_ptr<Simulation> simulation =

@@ -9,7 +9,8 @@
 namespace ordo::bench {
 
 /// What runs, on what. `loop` is one of `loops_for`; the solver's are "solver readable" and "solver fast", both also
-/// "... with body_force", "with damping", "with traction", "with strain" or "with fixed_volume".
+/// "... with body_force", "with damping", "with traction", "with strain" or "with fixed_volume"; "solver fast with
+/// threads" has two.
 struct Case {
     std::string loop;
     int dim = 1;

@@ -2,7 +2,7 @@
 //   ordo_kernels [ROUNDS [MOST_PARTICLES]]                          the table, as markdown; 9 rounds of 1e5 unless said
 //   ordo_kernels run LOOP DIM DEGREE staying|crossing CELLS STEPS   one loop, to count its instructions
 //   ordo_kernels loops                                              what LOOP may be of a bar, one a line
-//   ordo_kernels threads                                            what two threads gain on halves of a bare loop
+//   ordo_kernels threads                                            what two threads gain: a bare loop, the solver
 #include <algorithm>
 #include <barrier>
 #include <chrono>
@@ -87,12 +87,17 @@ void print_table(int rounds, double most) {
     }
 }
 
-/// Wall seconds of `steps` steps on as many threads, each with its part of a bar, which wait for each other every step.
-double wall_seconds(int threads, int cells, long steps) {
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Wall seconds of `steps` steps of the floor on as many threads, each with its part of the body, which wait for each
+/// other every step.
+double floor_seconds(int threads, const Case& one, long steps) {
     std::barrier together(threads);
     std::vector<Floor> parts;
-    for (int i = 0; i < threads; ++i) parts.emplace_back(wave_of({"", 1, 1, false, cells / threads}));
-    const auto begin = std::chrono::steady_clock::now();
+    Wave wave = wave_of(one);
+    wave.cells[one.dim - 1] /= threads;
+    for (int i = 0; i < threads; ++i) parts.emplace_back(wave);
+    const double begin = wall_now();
     {
         std::vector<std::jthread> all;
         for (auto& part : parts) {
@@ -104,17 +109,34 @@ double wall_seconds(int threads, int cells, long steps) {
             });
         }
     }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return wall_now() - begin;
 }
 
+double solver_seconds(const Started& running, long steps) {
+    const double begin = wall_now();
+    running.steps(steps);
+    return wall_now() - begin;
+}
+
+/// Gains from the least wall times of rounds in which one and two threads, floor and solver take turns.
 void print_threads() {
-    std::printf("| Particles | gain of two threads |\n|---|---|\n");
-    for (const int cells : {16'000, 160'000, 1'600'000}) {
-        const long steps = std::max(4L, 2'000'000L / cells);
-        double gain = 0;
-        for (int round = 0; round < 5; ++round)
-            gain = std::max(gain, wall_seconds(1, cells, steps) / wall_seconds(2, cells, steps));
-        std::printf("| %d | %.2f |\n", 2 * cells, gain);
+    std::printf("| Kernel | Particles | gain of the floor | of the solver | ratio |\n|---|---|---|---|---|\n");
+    for (const auto& [dim, particles] : {std::pair{1, 3e4}, {1, 1e5}, {1, 1e6}, {1, 1e7}, {2, 1e5}, {2, 1e6}}) {
+        Case one{"solver fast", dim, 1, false, cells_for(particles, dim)};
+        one.cells -= one.cells % 16;  // halves of whole strips
+        const Started alone = started(one);
+        one.loop = "solver fast with threads";
+        const Started both = started(one);
+        const long steps = std::max(4L, std::lround(4e6 / alone.particles));
+        double least[4] = {1e9, 1e9, 1e9, 1e9};
+        for (int round = 0; round < 7; ++round) {
+            const double now[4] = {floor_seconds(1, one, steps), floor_seconds(2, one, steps),
+                                   solver_seconds(alone, steps), solver_seconds(both, steps)};
+            for (int k = 0; k < 4; ++k) least[k] = std::min(least[k], now[k]);
+        }
+        const double bare = least[0] / least[1];
+        const double gain = least[2] / least[3];
+        std::printf("| %dD linear | %.0f | %.2f | %.2f | %.2f |\n", dim, alone.particles, bare, gain, gain / bare);
         std::fflush(stdout);
     }
 }

@@ -116,6 +116,7 @@ std::vector<Parameter> option_parameters() {
               {"fast_everywhere", "the same, quiet regions computed too"},
               {"readable", "one particle after the other: the truth that the others are tested against"}},
              "how the steps are computed; all give the same to round-off"),
+        whole("threads", 1, between(1, 64), "threads of the fast kernel where a body is large; any number: same bits"),
     };
 }
 

@@ -125,6 +125,7 @@ Options options_from(const Values& values) {
     o.reconstruction = choice<Reconstruction>(values, "reconstruction");
     o.body_force = choice<BodyForce>(values, "body_force");
     o.kernel = choice<Kernel>(values, "kernel");
+    o.threads = values.whole("threads");
     o.terms = values.whole("k");
     o.degree = values.whole("degree");
     o.flip_share = values.number("flip_share");

@@ -45,6 +45,7 @@ struct Options {
     bool conservative = false;          ///< a reconstruction's error of momentum is put right after every kick
     bool volume_of_cell = false;        ///< V_p is the cell's share even where particles stand denser or wider
     Kernel kernel = Kernel::fast;       ///< how the steps are computed
+    int threads = 1;                    ///< of the fast kernel
 
     int spline_degree() const;  ///< of the grid's functions: 1 for all that are made of tents
     /// A drift by velocities that are mapped off the particles follows the kick: the parts of a composed time step.

@@ -1,6 +1,7 @@
 // The door of MPM: from declared values to a running, typed simulation.
 #include <cmath>
 
+#include "core/error.hpp"
 #include "solvers/instruction_set.hpp"
 #include "solvers/mpm/fast/fast.hpp"
 #include "solvers/mpm/mpm.hpp"
@@ -73,6 +74,11 @@ public:
     std::vector<Skipped> skipped() const override {
         if constexpr (requires { mpm_.skipped(); }) return mpm_.skipped();
         else return {};
+    }
+
+    double helper_seconds() const override {
+        if constexpr (requires { mpm_.helper_seconds(); }) return mpm_.helper_seconds();
+        else return 0;
     }
 
 private:
@@ -195,10 +201,18 @@ Claim claim(const Values& values) {
             .fields = {"displacement", "velocity"}};
 }
 
+template <int dim>
+void check_threads(const SolidScene<dim>& scene, const Options& o) {
+    if (o.threads == 1 || fast::serves(scene, o)) return;
+    throw InputError("", "'threads' is " + std::to_string(o.threads) +
+                             ", but these choices run on the readable kernel, which knows one thread (nearest: 1)");
+}
+
 Plan plan(const Scene& scene, const Values& options, const Values& resolution) {
     const Options chosen = options_from(options);
     return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) {
         check_fits(solid, chosen);
+        check_threads(solid, chosen);
         const Resolution fine = resolution_from(solid, chosen, resolution);
         instruction_set();  // refuses a word of ORDO_SIMD at the door
         double points = 1;
@@ -213,6 +227,7 @@ std::unique_ptr<Simulation> start(const Scene& scene, const Values& options, con
     const Options chosen = options_from(options);
     return on_solid(scene, [&]<int dim>(const SolidScene<dim>& solid) -> std::unique_ptr<Simulation> {
         check_fits(solid, chosen);
+        check_threads(solid, chosen);
         const Resolution fine = resolution_from(solid, chosen, resolution);
         if (fast::serves(solid, chosen))
             return std::make_unique<Running<dim, fast::FastMpm<dim>>>(solid, chosen, fine, fields);

@@ -10,23 +10,33 @@
 namespace ordo::studies {
 namespace {
 
-/// Adds the thread time of its own life to `seconds`.
-struct Timed {
-    double& seconds;
-    double begin = thread_seconds();
+/// Processor time of this thread and of the helpers of the simulation, once there is one.
+struct RunClock {
+    const solvers::Simulation* simulation = nullptr;
 
-    ~Timed() { seconds += thread_seconds() - begin; }
+    double seconds() const { return thread_seconds() + (simulation ? simulation->helper_seconds() : 0); }
 };
 
-/// True once the study is interrupted or the run has used up its thread time; `late` tells the second. Thread time is
-/// never ahead of the wall's, whose clock costs less to read between two steps.
-solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, bool& late) {
+/// Adds the processor time of its own life to `seconds`.
+struct Timed {
+    double& seconds;
+    const RunClock& clock;
+    double begin = clock.seconds();
+
+    ~Timed() { seconds += clock.seconds() - begin; }
+};
+
+/// True once the study is interrupted or the run has used up its processor time; `late` tells the second. The wall's
+/// clock costs less to read between two steps: it says when to look at the other, every millisecond.
+solvers::Interrupt interrupt_of(const RunSpec& spec, const std::function<bool()>& stop, const RunClock& used,
+                                bool& late) {
     if (!spec.timeout_s) return stop;
     using clock = std::chrono::steady_clock;
-    const auto limit = clock::now() + std::chrono::duration<double>(*spec.timeout_s);
-    const double thread_limit = thread_seconds() + *spec.timeout_s;
-    return [&stop, &late, limit, thread_limit] {
-        late = clock::now() > limit && thread_seconds() > thread_limit;
+    return [&stop, &used, &late, limit = used.seconds() + *spec.timeout_s, look = clock::now()]() mutable {
+        if (const auto now = clock::now(); now >= look) {
+            late = used.seconds() > limit;
+            look = now + std::chrono::milliseconds(1);
+        }
         return late || stop();
     };
 }
@@ -52,10 +62,11 @@ struct Measured {
 };
 
 Measured run_and_measure(solvers::Simulation& simulation, const RunSpec& spec, const oracles::Exact& exact,
-                         const Parts& parts, const solvers::Interrupt& interrupt, double& seconds) {
+                         const Parts& parts, const solvers::Interrupt& interrupt, const RunClock& clock,
+                         double& seconds) {
     const auto& quantities = spec.measure.quantities;
     const auto advance_to = [&](double t) {
-        const Timed timed{seconds};
+        const Timed timed{seconds, clock};
         simulation.advance_to(t, interrupt);
     };
     if (!quantities.front().maximum) {
@@ -88,18 +99,21 @@ bool finite(const solvers::Snapshot& shot, std::string& which) {
     return true;
 }
 
-void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrupt& interrupt, RunOutcome& outcome) {
+void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrupt& interrupt, RunClock& clock,
+                RunOutcome& outcome) {
     const SceneEntry& scene = parts.scene(spec.scene.name);
     const auto& solver = parts.solver(spec.solver.name);
     const auto problem = scene.problem(spec.scene.values);
     Run& run = outcome.run;
     const auto simulation = [&] {
-        const Timed timed{run.seconds};
+        const Timed timed{run.seconds, clock};
         return solver.start(problem, spec.solver.options, spec.resolution, spec.measure.fields);
     }();
+    clock.simulation = simulation.get();
+    run.seconds += simulation->helper_seconds();
     const bool asks_for_truth = std::ranges::any_of(spec.measure.quantities, needs_truth);
     const auto exact = asks_for_truth ? scene.truth(spec.scene.values) : oracles::Exact{};
-    auto [errors, last] = run_and_measure(*simulation, spec, exact, parts, interrupt, run.seconds);
+    auto [errors, last] = run_and_measure(*simulation, spec, exact, parts, interrupt, clock, run.seconds);
     run.errors = std::move(errors);
     run.work = figures(simulation->work());
     run.drift = figures(simulation->drift());
@@ -138,6 +152,7 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, cons
     RunOutcome outcome{planned_run(spec), {}};
     Run& run = outcome.run;
     bool late = false;
+    RunClock clock;
     const auto ends = [&](Status status, const std::string& reason) {
         run.status = status;
         run.reason = reason;
@@ -145,7 +160,7 @@ RunOutcome executed(const RunSpec& spec, const std::function<bool()>& stop, cons
         outcome.snapshot.reset();
     };
     try {
-        run_to_end(spec, parts, interrupt_of(spec, stop, late), outcome);
+        run_to_end(spec, parts, interrupt_of(spec, stop, clock, late), clock, outcome);
     } catch (const solvers::Interrupted&) {
         if (!late) throw;
         ends(Status::timed_out, "passed its time limit");

@@ -28,11 +28,12 @@ std::vector<double> ends_along(int cells) {
 }  // namespace
 
 template <int dim>
-FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F)
-    : FastMpm(scene, options, resolution, seeded<dim>(scene, options, resolution, with_F)) {}
+FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, bool with_F,
+                      long section)
+    : FastMpm(scene, options, resolution, section, seeded<dim>(scene, options, resolution, with_F)) {}
 
 template <int dim>
-FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution,
+FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, const Resolution& resolution, long section,
                       Particles<dim>&& particles)
     : options_(options),
       body_force_(options.body_force == BodyForce::left_out ? std::nullopt : scene.body_force),
@@ -48,8 +49,9 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
       C_(std::visit([](const auto& law) { return law.C; }, scene.law)),
       rest_v_(1e-30 * std::sqrt(stiffness(scene.law) / scene.rho)),
       rest_sigma_(1e-30 * stiffness(scene.law)),
-      lost_(static_cast<long>(particles.size())),
-      inverted_(lost_) {
+      section_(section),
+      hands_(static_cast<std::size_t>(options.threads)),
+      lost_(static_cast<long>(particles.size())) {
     X_ = std::move(particles.X);
     const long rows = dim == 1 ? 1 : grid_.cells[dim - 1] + grid_.degree;
     const std::size_t nodes = static_cast<std::size_t>(
@@ -70,8 +72,10 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
     order_.reserve(near_.size());
     watched_.reserve(everywhere_ ? 0 : near_.size());
     runs_.reserve(nodes);
-    for (auto* list : {&leaving_, &waiting_}) list->reserve(std::min(X_.size(), std::size_t{1} << 13));
-    turns_.reserve(leaving_.capacity());
+    for (auto& hand : hands_) {
+        for (auto* list : {&hand.leaving, &hand.waiting}) list->reserve(std::min(X_.size(), std::size_t{1} << 13));
+        hand.turns.reserve(hand.leaving.capacity());
+    }
     slots_.each([&](Seat seat) {
         const Cell<dim> cell = slots_.cell(seat);
         Vec<dim> xi;

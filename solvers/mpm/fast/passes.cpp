@@ -1,6 +1,7 @@
 // What a kernel is given to go over: the blocks that are swept, the nodes that they touch.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "solvers/mpm/fast/fast.hpp"
@@ -10,9 +11,21 @@ namespace ordo::solvers::mpm::fast {
 namespace {
 
 /// Blocks that are swept before those who left them are seated, while both are still in a near cache.
-constexpr std::size_t piece = 64;
+constexpr long piece = 64;
 
 }  // namespace
+
+/// job(first, last, hand) over equal parts of `count` pieces, a part a thread.
+template <int dim>
+template <class Job>
+void FastMpm<dim>::over(long count, const Job& job) {
+    if (!team_ || sections_.size() == 1) return job(0, count, hands_.front());
+    const long members = team_->members();
+    const auto part = [&](int member) {
+        job(count * member / members, count * (member + 1) / members, hands_[static_cast<std::size_t>(member)]);
+    };
+    team_->run(std::ref(part));
+}
 
 /// Nodes from sums to v, a or both. Held ones stand, by an impulse that takes all their force.
 template <int dim>
@@ -41,11 +54,16 @@ void FastMpm<dim>::solve(Makes what, double kick, bool ends_m) {
         pass.v[c] = v_[c].front().at;
         pass.a[c] = a_[c].front().at;
     }
-    kernels_.nodes(pass);
+    over(pass.count, [&](long first, long last, Hand<dim>&) {
+        NodePass<dim> part = pass;
+        part.first += first;
+        part.count = last - first;
+        kernels_.nodes(part);
+    });
 }
 
 template <int dim>
-void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
+Sweep<dim> FastMpm<dim>::sweep_of(Pass pass, double kick, double dt) {
     Sweep<dim> s{};
     s.stride = slots_.rows() * lanes;
     s.blocks = slots_.blocks().data();
@@ -74,29 +92,52 @@ void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
     s.volume_updated = options_.volume_updated;
     s.keeps_F = slots_.rows() > Row<dim>::F;
     s.b = b_.empty() ? nullptr : b_.front().data();
-    s.settle_for = this;
+    return s;
+}
+
+/// All even sections, then all odd ones: nodes that two share take the even one's gift first, whoever sweeps them.
+template <int dim>
+void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
+    const Sweep<dim> s = sweep_of(pass, kick, dt);
     const bool moves = pass != Pass::begin && pass != Pass::kick && pass != Pass::first && pass != Pass::load;
     if (moves && !total_) on_face_ = false;
-    for (std::size_t k = 0; k < order_.size(); k += piece) {
+    if (sections_.size() > 1) {
+        for (auto& section : sections_) slots_.stock(section.pool, static_cast<int>(section_ / 8));
+    }
+    for (const long odd : {0, 1}) {
+        over((static_cast<long>(sections_.size()) + 1 - odd) / 2, [&](long first, long last, Hand<dim>& hand) {
+            for (long k = first; k < last; ++k)
+                sweep_section(s, pass, sections_[static_cast<std::size_t>(2 * k + odd)], hand);
+        });
+    }
+    Told<dim> all;
+    for (auto& section : sections_) hear(section, pass, all);
+    if (!all.finite) throw Diverged("the positions of the particles are not finite");
+    if (all.inverted != Told<dim>::none)
+        throw Diverged("particle " + std::to_string(all.inverted) + " is turned inside out");
+}
+
+template <int dim>
+void FastMpm<dim>::sweep_section(Sweep<dim> s, Pass pass, Section<dim>& section, Hand<dim>& hand) {
+    hand.of = this;
+    hand.section = &section;
+    s.settle_for = &hand;
+    for (long k = section.begin; k < section.end; k += piece) {
         s.slots = slots_.data();
         s.next = slots_.next();
         s.id = slots_.ids();
         s.order = order_.data() + k;
-        s.count = static_cast<long>(std::min(piece, order_.size() - k));
+        s.count = std::min(piece, section.end - k);
         kernels_.sweep[static_cast<int>(pass)](s);
-        const bool last = k + piece >= order_.size();
-        if (!turns_.empty() || !waiting_.empty())
-            seat_travellers(pass, last ? static_cast<int>(near_.size()) : order_[k + piece]);
+        if (hand.turns.empty() && hand.waiting.empty()) continue;
+        seat_travellers(hand, pass, k + piece < section.end ? s.order[piece] : section.last + 1);
     }
     for (int c = 0; c < dim; ++c) {
         for (int lane = 0; lane < lanes; ++lane) {
-            load_[c] += s.load[c][lane];
-            finite_ = finite_ && std::isfinite(s.travelled[c][lane]);
+            section.told.load[c] += s.load[c][lane];
+            section.told.finite = section.told.finite && std::isfinite(s.travelled[c][lane]);
         }
     }
-    if (!finite_) throw Diverged("the positions of the particles are not finite");
-    if (inverted_ < static_cast<long>(X_.size()))
-        throw Diverged("particle " + std::to_string(inverted_) + " is turned inside out");
 }
 
 template class FastMpm<1>;

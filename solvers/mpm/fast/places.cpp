@@ -62,13 +62,15 @@ bool FastMpm<dim>::stands_within(const Vec<dim>& x, Cell<dim>& cell, Vec<dim>& x
 }
 
 template <int dim>
-void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi, double* keep) {
+void FastMpm<dim>::settle(Hand<dim>& hand, Block& block, int slot, int lane, unsigned out, unsigned inverted,
+                          double* xi, double* keep) {
+    Told<dim>& told = hand.section->told;
     for (unsigned left = out | inverted; left != 0; left &= left - 1) {
         const int l = std::countr_zero(left);
         const Seat seat{slot, lane + l};
         if (slots_.id(seat) == slots_.nobody) continue;
         const long p = slots_.id(seat) - 1;
-        if ((inverted >> l & 1) != 0) inverted_ = std::min(inverted_, p);
+        if ((inverted >> l & 1) != 0) told.inverted = std::min(told.inverted, p);
         if ((out >> l & 1) == 0) continue;
         const Vec<dim> x = where(seat);
         Cell<dim> before;
@@ -77,85 +79,100 @@ void FastMpm<dim>::settle(Block& block, int slot, int lane, unsigned out, unsign
         Vec<dim> local;
         const bool within = stands_within(x, cell, local);
         if (!within) {
-            finite_ = finite_ && x.allFinite();
+            told.finite = told.finite && x.allFinite();
             cell = before;
-            if (!grid_.locate(x, cell, local)) lost_ = std::min(lost_, p);
+            if (!grid_.locate(x, cell, local)) told.lost = std::min(told.lost, p);
             for (int axis = 0; axis < dim; ++axis) local[axis] = place(x[axis], cell[axis], axis);
         }
         const bool stays = cell == before;
         for (int axis = 0; axis < dim; ++axis) xi[axis * lanes + l] = stays ? local[axis] : 0.5;
         if (stays) {
             block.near = true;
-            on_face_ = on_face_ || on_face(seat);
+            told.on_face = told.on_face || on_face(seat);
         } else {
             keep[l] = 0;
-            send(seat, cell, local, !within);
+            send(hand, seat, cell, local, !within);
         }
     }
 }
 
 /// Turns go by blocks, ranks and lanes, the order in which the widest set of instructions meets the particles.
 template <int dim>
-void FastMpm<dim>::send(Seat from, const Cell<dim>& to, const Vec<dim>& xi, bool near) {
-    const Turn turn{slots_.block_of(from.slot), slots_.rank(from.slot) * lanes + from.lane, leaving_.size()};
-    auto& who = leaving_.emplace_back();
+void FastMpm<dim>::send(Hand<dim>& hand, Seat from, const Cell<dim>& to, const Vec<dim>& xi, bool near) {
+    auto& turns = hand.turns;
+    const Turn turn{slots_.block_of(from.slot), slots_.rank(from.slot) * lanes + from.lane, hand.leaving.size()};
+    auto& who = hand.leaving.emplace_back();
     slots_.take_out(from, who);
     who.to = to;
     who.block = slots_.block_at(to);
     who.xi = xi;
     who.near = near;
-    turns_.push_back(turn);
-    for (std::size_t k = turns_.size() - 1; k > 0; --k) {
-        if (turns_[k - 1].block != turn.block || turns_[k - 1].seat < turn.seat) break;
-        std::swap(turns_[k - 1], turns_[k]);
+    turns.push_back(turn);
+    for (std::size_t k = turns.size() - 1; k > 0; --k) {
+        if (turns[k - 1].block != turn.block || turns[k - 1].seat < turn.seat) break;
+        std::swap(turns[k - 1], turns[k]);
     }
 }
 
 template <int dim>
 void settle(const Sweep<dim>& sweep, Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi,
             double* keep) {
-    static_cast<FastMpm<dim>*>(sweep.settle_for)->settle(block, slot, lane, out, inverted, xi, keep);
+    auto& hand = *static_cast<Hand<dim>*>(sweep.settle_for);
+    hand.of->settle(hand, block, slot, lane, out, inverted, xi, keep);
 }
 
 /// Those who come to blocks before `ahead`, which will not be swept again; the others wait. Gaps that nobody has taken
 /// are closed.
 template <int dim>
-void FastMpm<dim>::seat_travellers(Pass pass, int ahead) {
-    const auto comes_later = [&](const Traveller<dim>& who) { return who.block >= ahead; };
+void FastMpm<dim>::seat_travellers(Hand<dim>& hand, Pass pass, int ahead) {
+    Section<dim>& section = *hand.section;
+    Pool& pool = pool_of(section);
+    auto& leaving = hand.leaving;
+    auto& waiting = hand.waiting;
+    auto& turns = hand.turns;
+    const auto comes_later = [&](const Traveller<dim>& who) { return who.block >= ahead && who.block <= section.last; };
+    const auto let_in = [&](const Traveller<dim>& who) {
+        const bool here = who.block >= section.first && who.block <= section.last;
+        if (!here || !seat(who, pass, section.told, pool)) section.later.push_back(who);
+    };
     std::size_t later = 0;
-    for (const auto& who : waiting_) {
-        if (comes_later(who)) waiting_[later++] = who;
-        else seat(who, pass);
+    for (const auto& who : waiting) {
+        if (comes_later(who)) waiting[later++] = who;
+        else let_in(who);
     }
-    waiting_.resize(later);
-    for (const Turn& turn : turns_) {
-        const auto& who = leaving_[turn.who];
-        if (comes_later(who)) waiting_.push_back(who);
-        else seat(who, pass);
+    waiting.resize(later);
+    for (const Turn& turn : turns) {
+        const auto& who = leaving[turn.who];
+        if (comes_later(who)) waiting.push_back(who);
+        else let_in(who);
     }
-    crossings_ += static_cast<long>(turns_.size());
-    for (std::size_t k = 0; k < turns_.size(); ++k) {
-        const Seat gap = leaving_[turns_[k].who].from;
+    section.told.crossings += static_cast<long>(turns.size());
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+        const Seat gap = leaving[turns[k].who].from;
         if (slots_.id(gap) == slots_.nobody) slots_.close(gap);
-        if (k + 1 == turns_.size() || turns_[k].block != turns_[k + 1].block) slots_.trim(turns_[k].block);
+        if (k + 1 == turns.size() || turns[k].block != turns[k + 1].block) slots_.trim(turns[k].block, pool);
     }
-    leaving_.clear();
-    turns_.clear();
+    leaving.clear();
+    turns.clear();
 }
 
+/// False where the pool has no slot for it.
 template <int dim>
-void FastMpm<dim>::seat(const Traveller<dim>& who, Pass pass) {
+bool FastMpm<dim>::seat(const Traveller<dim>& who, Pass pass, Told<dim>& told, Pool& pool) {
     Block& entered = slots_.blocks()[static_cast<std::size_t>(who.block)];
-    missed_ = missed_ || (!entered.swept && entered.first >= 0);
-    dirty_ = dirty_ || !entered.swept || !entered.awake;
+    const bool was_empty = entered.first < 0;
+    const Seat seat = slots_.put_in(who, pool);
+    if (seat.slot < 0) return false;
+    told.missed = told.missed || (!entered.swept && !was_empty);
+    told.dirty = told.dirty || !entered.swept || !entered.awake;
     entered.awake = true;
-    const Seat seat = slots_.put_in(who);
     if (who.near) {
         entered.near = true;
-        on_face_ = on_face_ || on_face(seat);
+        told.on_face = told.on_face || on_face(seat);
     }
     if (grid_.degree == 2) share_out<2>(who, pass);
     else share_out<1>(who, pass);
+    return true;
 }
 
 namespace {

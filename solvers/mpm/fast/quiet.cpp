@@ -25,6 +25,7 @@ void FastMpm<dim>::arrange() {
         in_sweep_ += slots_.particles_in(static_cast<int>(b));
     }
     list_runs();
+    cut();
 }
 
 template <int dim>

@@ -54,9 +54,10 @@ Slots<dim>::Slots(const Grid<dim>& grid, const Particles<dim>& particles, bool t
     for (std::size_t b = 0; b < blocks_.size(); ++b) needed += static_cast<std::size_t>(longest(b));
     reserve(needed + needed / 8 + 2 * blocks_.size() / static_cast<std::size_t>(along_[0]) + lanes);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-        for (int k = longest(b); k > 0; --k) append(static_cast<int>(b));
+        for (int k = longest(b); k > 0; --k) append(static_cast<int>(b), pool_);
     }
-    for (std::size_t p = 0; p < cells.size(); ++p) fill(seat_in(block_at(cells[p]), cells[p][0] % lanes), particles, p);
+    for (std::size_t p = 0; p < cells.size(); ++p)
+        fill(seat_in(block_at(cells[p]), cells[p][0] % lanes, pool_), particles, p);
 }
 
 template <int dim>
@@ -91,16 +92,37 @@ int Slots<dim>::particles_in(int block) const {
 }
 
 template <int dim>
-int Slots<dim>::append(int block) {
-    int slot = free_;
+int Slots<dim>::take_from(Pool& pool) {
+    const int slot = pool.first;
     if (slot >= 0) {
-        free_ = next_[static_cast<std::size_t>(slot)];
-    } else {
-        slot = static_cast<int>(next_.size());
-        data_.resize(data_.size() + static_cast<std::size_t>(rows_));
-        id_.resize(id_.size() + lanes);
-        for (auto* list : {&next_, &block_of_, &rank_, &taken_}) list->push_back(0);
+        pool.first = next_[static_cast<std::size_t>(slot)];
+        --pool.count;
+        return slot;
     }
+    if (&pool != &pool_) return -1;
+    data_.resize(data_.size() + static_cast<std::size_t>(rows_));
+    id_.resize(id_.size() + lanes);
+    for (auto* list : {&next_, &block_of_, &rank_, &taken_}) list->push_back(0);
+    return static_cast<int>(next_.size()) - 1;
+}
+
+template <int dim>
+void Slots<dim>::put_into(Pool& pool, int slot) {
+    next_[static_cast<std::size_t>(slot)] = pool.first;
+    pool.first = slot;
+    ++pool.count;
+}
+
+template <int dim>
+void Slots<dim>::stock(Pool& pool, int wanted) {
+    while (pool.count < wanted) put_into(pool, take_from(pool_));
+    while (pool.count > 2 * wanted) put_into(pool_, take_from(pool));
+}
+
+template <int dim>
+int Slots<dim>::append(int block, Pool& pool) {
+    const int slot = take_from(pool);
+    if (slot < 0) return slot;
     const auto k = static_cast<std::size_t>(slot);
     int* last = &blocks_[static_cast<std::size_t>(block)].first;
     rank_[k] = 0;
@@ -125,10 +147,10 @@ int Slots<dim>::append(int block) {
 
 /// The first empty seat of a cell.
 template <int dim>
-Seat Slots<dim>::seat_in(int block, int lane) {
+Seat Slots<dim>::seat_in(int block, int lane, Pool& pool) {
     const int* link = &blocks_[static_cast<std::size_t>(block)].first;
     while (*link >= 0 && id({*link, lane}) != nobody) link = &next_[static_cast<std::size_t>(*link)];
-    return {*link >= 0 ? *link : append(block), lane};
+    return {*link >= 0 ? *link : append(block, pool), lane};
 }
 
 /// Without mass, mid-cell: whatever is gathered there moves nothing and gives nothing.
@@ -189,9 +211,9 @@ void Slots<dim>::seat(const Traveller<dim>& who, Seat seat) {
 }
 
 template <int dim>
-Seat Slots<dim>::put_in(const Traveller<dim>& who) {
-    const Seat at = seat_in(who.block, who.to[0] % lanes);
-    seat(who, at);
+Seat Slots<dim>::put_in(const Traveller<dim>& who, Pool& pool) {
+    const Seat at = seat_in(who.block, who.to[0] % lanes, pool);
+    if (at.slot >= 0) seat(who, at);
     return at;
 }
 
@@ -209,7 +231,7 @@ void Slots<dim>::close(Seat gap) {
 }
 
 template <int dim>
-void Slots<dim>::trim(int block) {
+void Slots<dim>::trim(int block, Pool& pool) {
     for (int* link = &blocks_[static_cast<std::size_t>(block)].first; *link >= 0;) {
         const int slot = *link;
         int& next = next_[static_cast<std::size_t>(slot)];
@@ -217,8 +239,7 @@ void Slots<dim>::trim(int block) {
             link = &next;
         } else {
             *link = next;
-            next = free_;
-            free_ = slot;
+            put_into(pool, slot);
         }
     }
 }

@@ -18,6 +18,12 @@ struct Seat {
     int lane;
 };
 
+/// Slots without particle, in a chain.
+struct Pool {
+    int first = -1;
+    int count = 0;
+};
+
 /// A particle between two seats, in one piece.
 template <int dim>
 struct Traveller {
@@ -56,9 +62,12 @@ public:
     long row_of_nodes(int axis) const { return node_row_[axis]; }  ///< from a node to the next along an axis
 
     void take_out(Seat seat, Traveller<dim>& to);  ///< leaves a gap
-    Seat put_in(const Traveller<dim>& who);        ///< its new seat: the first gap of its cell, or after the last
-    void close(Seat gap);                          ///< the last particle of the cell takes the empty seat
-    void trim(int block);                          ///< slots without particle go back to the pool
+    /// Its new seat: the first gap of its cell, or in a slot of the pool after the last; slot -1 where that has none.
+    Seat put_in(const Traveller<dim>& who, Pool& pool);
+    void close(Seat gap);                ///< the last particle of the cell takes the empty seat
+    void trim(int block, Pool& pool);    ///< slots without particle go back to a pool
+    Pool& pool() { return pool_; }       ///< the common one; it alone grows where it is empty, and may move all data
+    void stock(Pool& pool, int wanted);  ///< from and to the common one: from `wanted` to twice as many
 
     /// visit(seat) for all particles of a block, or of all.
     template <class Visit>
@@ -82,8 +91,10 @@ private:
         return static_cast<std::size_t>(slot) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
     }
     void reserve(std::size_t slots);
-    int append(int block);  ///< an empty slot; its number
-    Seat seat_in(int block, int lane);
+    int take_from(Pool& pool);  ///< a slot; -1: none
+    void put_into(Pool& pool, int slot);
+    int append(int block, Pool& pool);  ///< an empty slot; its number
+    Seat seat_in(int block, int lane, Pool& pool);
     void empty(Seat seat, const Block& block);
     void seat(const Traveller<dim>& who, Seat seat);
     template <class Visit>
@@ -99,7 +110,7 @@ private:
     std::vector<Eight> data_;
     std::vector<int> id_, next_, block_of_, rank_, taken_;  ///< of the slots; `taken`: lanes with a particle
     std::vector<Block> blocks_;
-    int free_ = -1;
+    Pool pool_;
 };
 
 }  // namespace ordo::solvers::mpm::fast
