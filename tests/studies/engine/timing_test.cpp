@@ -44,6 +44,24 @@ private:
     int& count_;
 };
 
+/// The real simulation, with helpers that work 100 s in each of its parts, the start included.
+class Helped : public solvers::Simulation {
+public:
+    explicit Helped(std::unique_ptr<solvers::Simulation> real) : real_(std::move(real)) {}
+    void advance_to(double t, const solvers::Interrupt& interrupt) override {
+        helpers_ += 100;
+        real_->advance_to(t, interrupt);
+    }
+    solvers::Snapshot snapshot() const override { return real_->snapshot(); }
+    std::vector<solvers::Figure> work() const override { return real_->work(); }
+    std::vector<solvers::Figure> drift() const override { return real_->drift(); }
+    double helper_seconds() const override { return helpers_; }
+
+private:
+    std::unique_ptr<solvers::Simulation> real_;
+    double helpers_ = 100;
+};
+
 }  // namespace
 
 TEST_CASE("timing: median and median absolute deviation of samples", "[unit]") {
@@ -101,6 +119,25 @@ TEST_CASE("timing: a run that does not repeat itself to the bit is a failed one,
     CHECK(outcome.run.status == Status::failed);
     CHECK_THAT(outcome.run.reason, ContainsSubstring("does not repeat itself"));
     CHECK(outcome.run.errors.empty());
+}
+
+TEST_CASE("timing: what helpers use counts, for a run's time and for its limit", "[unit]") {
+    solvers::Solver helped = solvers::solver_named("mpm", "");
+    const auto real = helped.start;
+    helped.start = [&](const auto& scene, const auto& options, const auto& resolution, auto fields) {
+        return std::make_unique<Helped>(real(scene, options, resolution, fields));
+    };
+    Parts parts = house_parts();
+    parts.solver = [&](const std::string&) -> const solvers::Solver& { return helped; };
+    auto spec = specs_of(study_of(tests::sample_document()))[0];
+    auto outcome = executed(spec, never, parts);
+    CHECK(outcome.run.seconds == Approx(200).margin(10));
+    time_again(spec, outcome, {.most = 1, .seconds = 1e9}, never, parts);
+    CHECK(outcome.run.seconds == Approx(200).margin(10));
+    spec.timeout_s = 150;
+    CHECK(executed(spec, never, parts).run.status == Status::timed_out);
+    spec.timeout_s = 250;
+    CHECK(executed(spec, never, parts).run.status == Status::ok);
 }
 
 TEST_CASE("timing: where errors are over all steps, repetitions are held to one another", "[unit]") {

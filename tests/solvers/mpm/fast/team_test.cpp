@@ -31,7 +31,9 @@ TEST_CASE("team: what the first of the members throws comes to the caller, and w
     };
     CHECK_THROWS_WITH(team.run(faulty), "member 1");
     int done = 0;
-    team.run([&](int member) { done += member == 2 ? 1 : 0; });
+    team.run([&](int member) {
+        if (member == 2) ++done;
+    });
     CHECK(done == 1);
 }
 
