@@ -6,13 +6,20 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "oracles/manufactured/half_turns.hpp"
-#include "oracles/manufactured/neo_hookean.hpp"
 
 namespace ordo::oracles {
 namespace {
 
 constexpr double pi = boost::math::constants::pi<double>();
 constexpr const char* where = "oracle bar_mms";
+
+Exact::Sample points_of(const BarMms& bar) {
+    return [bar](std::span<const double> X, double t, std::span<double> values) {
+        const BarMms::Moment now = bar.at(t);
+        const std::size_t width = values.size() / std::max<std::size_t>(X.size(), 1);
+        for (std::size_t i = 0; i < X.size(); ++i) write(now.at(X[i]), values.subspan(i * width, width));
+    };
+}
 
 Exact bind(const Values& values) {
     const BarMms bar{.L = values.number("L"),
@@ -30,7 +37,7 @@ Exact bind(const Values& values) {
             .upper = {bar.L},
             .times = times_up_to(bar.omega()),
             .fields = manufactured_fields(),
-            .sample = material_points<1>(bar),
+            .sample = points_of(bar),
             .jumps = no_jumps,
             .features = no_features,
             .constants = [bar](std::optional<double>) { return motion_constants(bar.elastic, bar.c(), bar.omega()); }};
@@ -47,22 +54,27 @@ std::vector<Parameter> parameters() {
 double BarMms::c() const { return std::sqrt(elastic.E / rho); }
 double BarMms::omega() const { return pi * c() / L; }
 
-MaterialPoint<1> BarMms::at(const std::array<double, 1>& X, double t) const {
-    const NeoHookean law(elastic);
-    const double in_space = sin_pi(X[0] / L);
+BarMms::Moment BarMms::at(double t) const {
     const double in_time = std::sin(omega() * t);
-    const double u = A * in_space * in_time;
-    const double H = pi * (A / L) * cos_pi(X[0] / L) * in_time;
-    const double ln_F = std::log1p(H);
-    const double P = law.kirchhoff(H, ln_F) / (1 + H);
-    const double b = (pi / L) * (pi / L) * u * ((wave_excess(elastic) + law.hardening(H, ln_F)) / rho);
-    return {.u = {u},
-            .v = {A * omega() * in_space * std::cos(omega() * t)},
-            .stress = {P},
-            .strain = {H},
-            .b = {b},
-            .F = {1 + H},
-            .P = {P}};
+    return {.L = L,
+            .rho = rho,
+            .u = A * in_time,
+            .v = A * omega() * std::cos(omega() * t),
+            .H = pi * (A / L) * in_time,
+            .wave_excess = wave_excess(elastic),
+            .law = NeoHookean(elastic)};
+}
+
+MaterialPoint<1> BarMms::at(const std::array<double, 1>& X, double t) const { return at(t).at(X[0]); }
+
+MaterialPoint<1> BarMms::Moment::at(double X) const {
+    const double in_space = sin_pi(X / L);
+    const double here = u * in_space;
+    const double strain = H * cos_pi(X / L);
+    const double ln_F = std::log1p(strain);
+    const double P = law.kirchhoff(strain, ln_F) / (1 + strain);
+    const double b = (pi / L) * (pi / L) * here * ((wave_excess + law.hardening(strain, ln_F)) / rho);
+    return {.u = {here}, .v = {v * in_space}, .stress = {P}, .strain = {strain}, .b = {b}, .F = {1 + strain}, .P = {P}};
 }
 
 Oracle bar_mms() {

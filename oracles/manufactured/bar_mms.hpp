@@ -1,6 +1,7 @@
 #pragma once
 // Manufactured motion of a neo-Hookean bar with both ends held.
 #include "oracles/manufactured/material_point.hpp"
+#include "oracles/manufactured/neo_hookean.hpp"
 
 namespace ordo::oracles {
 
@@ -20,9 +21,23 @@ struct BarMms {
     double rho = 1000;  ///< density [kg/m]
     ElasticConstants elastic = elastic_constants({Elastic::E, 1e7}, {Elastic::nu, 0}, "");
 
+    /// The bar at one time: what all its points share.
+    struct Moment;
+
     double c() const;      ///< [m/s]
     double omega() const;  ///< [1/s]
+    Moment at(double t) const;
     MaterialPoint<1> at(const std::array<double, 1>& X, double t) const;
+};
+
+struct BarMms::Moment {
+    double L, rho;
+    double u, v;  ///< of the points that move most [m], [m/s]
+    double H;     ///< largest strain [-]
+    double wave_excess;
+    NeoHookean law;
+
+    MaterialPoint<1> at(double X) const;
 };
 
 Oracle bar_mms();

@@ -49,7 +49,8 @@ private:
             low = std::min(low, value);
             high = std::max(high, value);
         };
-        for (std::size_t k = field_.offset; k < rows.size(); k += exact_.width()) include(rows[k]);
+        const std::size_t width = exact_.width();
+        for (std::size_t k = field_.offset; k < rows.size(); k += width) include(rows[k]);
         for (std::size_t i = 0; i < found.cells(); ++i) {
             include(found.at_left(i));
             include(found.at_right(i));
@@ -62,8 +63,9 @@ private:
 
     Kronrod::Values errors_at_nodes(const CellPart& part, std::span<const double> rows, std::size_t number) const {
         Kronrod::Values e;
+        const std::size_t width = exact_.width();
         for (std::size_t i = 0; i < Kronrod::size; ++i) {
-            const double exact = rows[(number * Kronrod::size + i) * exact_.width() + field_.offset];
+            const double exact = rows[(number * Kronrod::size + i) * width + field_.offset];
             e[i] = field_.found.at(part.cell, part.node(i)) - exact;
         }
         return e;

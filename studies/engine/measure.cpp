@@ -36,7 +36,9 @@ public:
     double error(const Quantity& quantity) const {
         const Field& found = shot_.field(quantity.field);
         std::vector<double> values;
-        for (std::size_t row = offset_of(exact_, quantity.field); row < rows_.size(); row += exact_.width()) {
+        values.reserve(found.values.size());
+        const std::size_t width = exact_.width();
+        for (std::size_t row = offset_of(exact_, quantity.field); row < rows_.size(); row += width) {
             const auto begin = rows_.begin() + static_cast<std::ptrdiff_t>(row);
             values.insert(values.end(), begin, begin + found.components);
         }
