@@ -22,6 +22,7 @@ namespace {
 
 struct Times {
     double least, median;  ///< [ns] a particle and step
+    double bytes;          ///< of memory a particle
 };
 
 /// All loops of a case in turns; a round is at least 2e5 particle-steps where the body has room for them.
@@ -44,7 +45,8 @@ std::map<std::string, Times> times_of(Case one, int rounds) {
     std::map<std::string, Times> times;
     for (auto& [loop, values] : all) {
         std::ranges::sort(values);
-        times[loop] = {values.front(), values[values.size() / 2]};
+        const Started& now = running[loop];
+        times[loop] = {values.front(), values[values.size() / 2], now.bytes / now.particles};
     }
     return times;
 }
@@ -64,8 +66,9 @@ int cells_for(double particles, int dim) {
 
 void print_table(int rounds, double most) {
     std::printf(
-        "| Kernel | Particles | Body | floor ns | scalar ns | readable / scalar | fast / floor | fast / scalar |\n"
-        "|---|---|---|---|---|---|---|---|\n");
+        "| Kernel | Particles | Body | floor ns | scalar ns | readable / scalar | fast / floor | fast / scalar | fast "
+        "B |\n"
+        "|---|---|---|---|---|---|---|---|---|\n");
     for (const auto& [dim, degree] : {std::pair{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 1}}) {
         int before = 0;
         for (double particles = 1e3; particles <= most * 1.01; particles *= 10) {
@@ -76,11 +79,11 @@ void print_table(int rounds, double most) {
                 const Case one{"", dim, degree, crossing, cells};
                 const auto times = times_of(one, rounds);
                 const std::string floor = crossing ? "-" : std::to_string(times.at("floor").median).substr(0, 5);
-                std::printf("| %dD degree %d | %ld | %s | %s | %.2f | %s | %s | %s |\n", dim, degree,
+                std::printf("| %dD degree %d | %ld | %s | %s | %.2f | %s | %s | %s | %.0f |\n", dim, degree,
                             wave_of(one).particles(), crossing ? "crossing" : "staying", floor.c_str(),
                             times.at("scalar").median, ratio(times, "solver readable", "scalar").c_str(),
-                            ratio(times, "solver fast", "floor").c_str(),
-                            ratio(times, "solver fast", "scalar").c_str());
+                            ratio(times, "solver fast", "floor").c_str(), ratio(times, "solver fast", "scalar").c_str(),
+                            times.at("solver fast").bytes);
                 std::fflush(stdout);
             }
         }

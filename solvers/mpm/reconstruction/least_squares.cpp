@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/instruction_set.hpp"
-
 namespace ordo::solvers::mpm {
 namespace {
 
@@ -129,22 +127,22 @@ template <int degree>
 }
 
 template <int degree>
-bool weigh(const Group& group) {
-    switch (instruction_set()) {
+bool weigh(InstructionSet set, const Group& group) {
+    switch (set) {
         case InstructionSet::avx512: return avx512<degree>(group);
         case InstructionSet::avx2: return avx2<degree>(group);
         default: return baseline<degree>(group);
     }
 }
 
-bool weigh(int degree, const Group& group) {
+bool weigh(int degree, InstructionSet set, const Group& group) {
     switch (degree) {
-        case 1: return weigh<1>(group);
-        case 2: return weigh<2>(group);
-        case 3: return weigh<3>(group);
-        case 4: return weigh<4>(group);
-        case 5: return weigh<5>(group);
-        default: return weigh<MovingLeastSquares::highest_degree>(group);
+        case 1: return weigh<1>(set, group);
+        case 2: return weigh<2>(set, group);
+        case 3: return weigh<3>(set, group);
+        case 4: return weigh<4>(set, group);
+        case 5: return weigh<5>(set, group);
+        default: return weigh<MovingLeastSquares::highest_degree>(set, group);
     }
 }
 
@@ -168,7 +166,7 @@ bool MovingLeastSquares::fit(std::span<const double> places, double radius, std:
     phi_.resize((high - low_) * together);
     group.x = x_.subspan(low_, high - low_);
     group.phi = phi_.data();
-    return weigh(degree_, group);
+    return weigh(degree_, set_, group);
 }
 
 /// From a window nearby to that about `at`.

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "solvers/instruction_set.hpp"
+
 namespace ordo::solvers::mpm {
 
 /// Weights phi with sum phi_k f(x_k) = P(at), P the polynomial of `degree` that fits f best near `at`; exact for
@@ -35,6 +37,7 @@ private:
 
     std::span<const double> x_;
     int degree_;
+    InstructionSet set_ = instruction_set();
     std::array<Window, together> windows_{};
     std::size_t low_ = 0;      ///< first particle of any window
     std::vector<double> phi_;  ///< of the particles from `low` on, `together` numbers each
