@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/text.hpp"
 
@@ -73,7 +74,8 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
     watched_.reserve(everywhere_ ? 0 : near_.size());
     runs_.reserve(nodes);
     for (auto& hand : hands_) {
-        for (auto* list : {&hand.leaving, &hand.waiting}) list->reserve(std::min(X_.size(), std::size_t{1} << 13));
+        for (auto* list : {&hand.leaving, &hand.waiting})
+            list->reserve(std::min({X_.size(), X_.size() / 16 + 1024, std::size_t{1} << 13}));
         hand.turns.reserve(hand.leaving.capacity());
     }
     slots_.each([&](Seat seat) {
@@ -90,15 +92,19 @@ FastMpm<dim>::FastMpm(const SolidScene<dim>& scene, const Options& options, cons
     begin();
 }
 
-/// The sums of the first step, or after particles came where no sweep was.
+/// The sums of the first step, or after particles came where no sweep was. In the total frame the masses are gathered
+/// this once, and so from all particles.
 template <int dim>
 void FastMpm<dim>::begin() {
+    const bool everywhere = std::exchange(everywhere_, everywhere_ || total_);
     arrange();
     std::fill(m_.begin(), m_.end(), Eight{});
     clear(p_);
     clear(f_);
     sweep(Pass::begin, 0, 0);
     if (options_.stress_update == StressUpdate::usf) clear(f_);
+    everywhere_ = everywhere;
+    if (total_ && !everywhere_) arrange();
     missed_ = false;
 }
 

@@ -41,7 +41,7 @@ public:
     std::size_t sections() const { return sections_.size(); }
 
     /// Called by kernels, see sweep.hpp.
-    void settle(Hand<dim>& hand, Block& block, int slot, int lane, unsigned beside, unsigned inverted, double* xi,
+    void settle(Hand<dim>& hand, Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi,
                 double* keep);
 
 private:
@@ -136,6 +136,7 @@ private:
     long crossings_ = 0;
     double swept_ = 0, due_ = 0;  ///< particle-steps done, and of the whole body
     double in_sweep_ = 0;         ///< particles in the blocks that are swept
+    double joined_ = 0;           ///< mass of blocks that are swept from the next sweep on [kg]
 };
 
 }  // namespace ordo::solvers::mpm::fast

@@ -101,8 +101,9 @@ void FastMpm<dim>::sweep(Pass pass, double kick, double dt) {
     const Sweep<dim> s = sweep_of(pass, kick, dt);
     const bool moves = pass != Pass::begin && pass != Pass::kick && pass != Pass::first && pass != Pass::load;
     if (moves && !total_) on_face_ = false;
+    if (moves || pass == Pass::begin) joined_ = 0;
     if (sections_.size() > 1) {
-        for (auto& section : sections_) slots_.stock(section.pool, static_cast<int>(section_ / 8));
+        for (auto& section : sections_) slots_.stock(section.pool, static_cast<int>((section.end - section.begin) / 8));
     }
     for (const long odd : {0, 1}) {
         over((static_cast<long>(sections_.size()) + 1 - odd) / 2, [&](long first, long last, Hand<dim>& hand) {

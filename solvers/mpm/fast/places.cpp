@@ -107,9 +107,10 @@ void FastMpm<dim>::send(Hand<dim>& hand, Seat from, const Cell<dim>& to, const V
     who.block = slots_.block_at(to);
     who.xi = xi;
     who.near = near;
+    who.far = (to - slots_.cell(from)).cwiseAbs().maxCoeff() > 2 * grid_.degree;
     turns.push_back(turn);
     for (std::size_t k = turns.size() - 1; k > 0; --k) {
-        if (turns[k - 1].block != turn.block || turns[k - 1].seat < turn.seat) break;
+        if (turns[k - 1].block != turn.block || turns[k - 1].place < turn.place) break;
         std::swap(turns[k - 1], turns[k]);
     }
 }
@@ -163,9 +164,9 @@ bool FastMpm<dim>::seat(const Traveller<dim>& who, Pass pass, Told<dim>& told, P
     const bool was_empty = entered.first < 0;
     const Seat seat = slots_.put_in(who, pool);
     if (seat.slot < 0) return false;
-    told.missed = told.missed || (!entered.swept && !was_empty);
+    told.missed = told.missed || (!entered.swept && !was_empty) || (who.far && !everywhere_ && !entered.awake);
     told.dirty = told.dirty || !entered.swept || !entered.awake;
-    entered.awake = true;
+    entered.swept = entered.awake = true;
     if (who.near) {
         entered.near = true;
         told.on_face = told.on_face || on_face(seat);

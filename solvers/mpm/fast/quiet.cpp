@@ -1,6 +1,7 @@
 // Which blocks are awake, and what a sweep goes over.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solvers/mpm/fast/fast.hpp"
 
@@ -18,8 +19,9 @@ void FastMpm<dim>::arrange() {
     in_sweep_ = 0;
     auto& blocks = slots_.blocks();
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-        blocks[b].swept = near_[b] != 0 && blocks[b].first >= 0;
+        const bool before = std::exchange(blocks[b].swept, near_[b] != 0 && blocks[b].first >= 0);
         if (!blocks[b].swept) continue;
+        if (!before) slots_.each_in(blocks[b], [&](Seat seat) { joined_ += slots_.at(seat, Row<dim>::m); });
         order_.push_back(static_cast<int>(b));
         if (!everywhere_ && !blocks[b].awake) watched_.push_back(static_cast<int>(b));
         in_sweep_ += slots_.particles_in(static_cast<int>(b));

@@ -53,15 +53,15 @@ Vec<dim> FastMpm<dim>::momentum() const {
     return sum;
 }
 
-/// What the nodes hold, and what never came to them because it is at rest.
+/// What the nodes hold, and what never came to them because it is at rest, or will with the next sweep.
 template <int dim>
 double FastMpm<dim>::mass_on_grid() const {
-    double sum = 0;
+    double sum = total_ ? 0 : joined_;
     for (const auto& run : m_) {
         for (const double m : run.at) sum += m;
     }
     for (const Block& block : slots_.blocks()) {
-        if (!block.swept) slots_.each_in(block, [&](Seat seat) { sum += slots_.at(seat, Row<dim>::m); });
+        if (!total_ && !block.swept) slots_.each_in(block, [&](Seat seat) { sum += slots_.at(seat, Row<dim>::m); });
     }
     return sum;
 }

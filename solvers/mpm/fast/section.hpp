@@ -39,7 +39,7 @@ struct alignas(64) Section {
 
 /// A traveller's turn to be seated.
 struct Turn {
-    int block, seat;  ///< that it comes from
+    int block, place;  ///< that it comes from, and where there: rank and lane
     std::size_t who;
 };
 

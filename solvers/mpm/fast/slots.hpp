@@ -34,6 +34,7 @@ struct Traveller {
     Seat from;
     Cell<dim> to;
     bool near;  ///< it comes to stand `beside` a face
+    bool far;   ///< from further away than quiet regions reckon with
 };
 
 /// The particles of a cell fill the slots of its block from the first on; a slot without particle goes back to the

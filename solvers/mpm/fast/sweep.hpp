@@ -31,7 +31,7 @@ struct Block {
     long node = 0;       ///< of lane 0
     bool near = false;   ///< a particle may stand `beside` a face
     bool awake = false;  ///< no longer at rest
-    bool swept = false;  ///< stands in the sweep's order
+    bool swept = false;  ///< stands in the sweep's order, or will: what its particles give has come to the nodes
 };
 
 /// How the stress follows the increment dL of the displacement gradient, as in solvers/materials/law.hpp.
@@ -88,7 +88,7 @@ struct Sweep {
 /// Called for lanes that stand beside a face, have left their cell or are turned inside out (bits from `lane` on). Puts
 /// the place of each into xi[axis * lanes + lane], and 0 into keep[lane] where the particle leaves the cell.
 template <int dim>
-void settle(const Sweep<dim>& sweep, Block& block, int slot, int lane, unsigned beside, unsigned inverted, double* xi,
+void settle(const Sweep<dim>& sweep, Block& block, int slot, int lane, unsigned out, unsigned inverted, double* xi,
             double* keep);
 
 /// Nodes from sums to velocities and accelerations; the sums that were used up become zero.

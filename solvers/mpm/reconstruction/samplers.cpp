@@ -37,7 +37,11 @@ void MovingSampler::prepare(const Layout& layout, double radius) {
     phi_.clear();
     for (std::size_t from = 0; from < layout.places.size(); from += mls.together) {
         const auto places = layout.places.subspan(from, std::min(mls.together, layout.places.size() - from));
-        if (!mls.fit(places, radius, fewest)) too_few(places.front());
+        if (!mls.fit(places, radius, fewest)) {
+            for (const double& at : places) {
+                if (!mls.fit(std::span(&at, 1), radius, fewest)) too_few(at);
+            }
+        }
         for (std::size_t k = 0; k < places.size(); ++k) {
             const auto [first, last] = mls.window(k);
             first_.push_back(first);
