@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -129,29 +128,41 @@ double kernel_beside(const std::vector<studies::Run>& runs, Session& session) {
     return std::min(before, session.kernel_seconds);
 }
 
-int run_job(const Job& job, Session& session) {
-    const auto begin = std::chrono::steady_clock::now();
-    std::vector<studies::Run> runs;
-    {
-        ProgressLine line(job.study.name);
-        studies::EngineOptions options{.jobs = session.threads,
-                                       .progress = [&](const auto& now) { line.show(now); },
-                                       .interrupted = &stop_asked,
-                                       .finished = session.timed ? nullptr : &session.cache};
-        if (session.timed) options.timing.emplace();
-        runs = studies::run_all(job.study, options);
-    }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+int report_on(const Job& job, studies::Engine::Outcome outcome, Session& session) {
     tell(session);
-    const double kernel_seconds = kernel_beside(runs, session);
-    reports::Report report{studies::judged(job.study, std::move(runs)),
-                           reports::provenance_here(session.threads, seconds.count())};
+    const double kernel_seconds = kernel_beside(outcome.runs, session);
+    reports::Report report{studies::judged(job.study, std::move(outcome.runs)),
+                           reports::provenance_here(session.threads, outcome.seconds)};
     report.provenance.kernel_seconds = kernel_seconds;
     reports::write_whole(job.output, reports::to_json(report));
     std::cout << reports::table(report, reports::TableFormat::text) << origin_line(report.result.runs)
               << "report: " << job.output << "\n"
               << std::flush;
     return code_of(report.result);
+}
+
+int run_jobs(const std::vector<Job>& jobs, Session& session) {
+    std::vector<const studies::Study*> all;
+    std::vector<std::string> names;
+    for (const auto& job : jobs) {
+        all.push_back(&job.study);
+        names.push_back(job.study.name);
+    }
+    ProgressLines lines(names);
+    studies::EngineOptions options{.jobs = session.threads,
+                                   .progress = [&](const auto& now) { lines.show(now); },
+                                   .interrupted = &stop_asked,
+                                   .finished = session.timed ? nullptr : &session.cache};
+    if (session.timed) options.timing.emplace();
+    studies::Engine engine(std::move(all), options);
+    int code = all_hold;
+    for (const auto& job : jobs) {
+        auto outcome = engine.next();
+        lines.wipe();
+        code = std::max(code, report_on(job, std::move(outcome), session));
+        lines.next();
+    }
+    return code;
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& files) {
@@ -168,8 +179,7 @@ int run(const po::variables_map& options, const std::vector<std::string>& files)
     if (session.why_not_cached) session.cache.read_entries();
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    int code = all_hold;
-    for (const auto& job : jobs) code = std::max(code, run_job(job, session));
+    const int code = run_jobs(jobs, session);
     session.cache.trim(most_kept);
     return code;
 }

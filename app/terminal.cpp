@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 #include "core/text.hpp"
 
@@ -32,25 +33,36 @@ std::string run_line(const studies::Run& run) {
     return text;
 }
 
+std::string bar(const std::string& study, const studies::Progress& now) {
+    const double left = now.work_done > 0 ? now.seconds * (1 - now.work_done) / now.work_done : 0;
+    return fmt::format("{}: {} of {} runs done, {} running, {} left", one_line(study), now.done, now.total, now.running,
+                       minutes(left));
+}
+
 }  // namespace
 
-ProgressLine::ProgressLine(std::string study)
-    : study_(one_line(std::move(study))), live_(isatty(STDERR_FILENO) != 0 && variable("TERM") != "dumb") {}
+ProgressLines::ProgressLines(std::vector<std::string> studies)
+    : studies_(std::move(studies)),
+      live_(isatty(STDERR_FILENO) != 0 && variable("TERM") != "dumb"),
+      held_(studies_.size()) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLines::~ProgressLines() { wipe(); }
+
+void ProgressLines::wipe() const {
     if (live_) std::cerr << "\r\033[K" << std::flush;
 }
 
-void ProgressLine::show(const studies::Progress& progress) {
-    if (!live_) {
-        std::cerr << fmt::format("[{}/{}] {}\n", progress.done, progress.total, run_line(*progress.last));
-        return;
-    }
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-    const double left = progress.work_done > 0 ? passed.count() * (1 - progress.work_done) / progress.work_done : 0;
-    std::cerr << fmt::format("\r\033[K{}: {} of {} runs done, {} running, {} left", study_, progress.done,
-                             progress.total, progress.running, minutes(left))
-              << std::flush;
+void ProgressLines::show(const studies::Progress& progress) {
+    const std::lock_guard lock(mutex_);
+    std::string& held = held_[progress.study];
+    if (live_) held = "\r\033[K" + bar(studies_[progress.study], progress);
+    else held += fmt::format("[{}/{}] {}\n", progress.done, progress.total, run_line(*progress.last));
+    if (progress.study == turn_) std::cerr << std::exchange(held, "") << std::flush;
+}
+
+void ProgressLines::next() {
+    const std::lock_guard lock(mutex_);
+    if (++turn_ < held_.size()) std::cerr << std::exchange(held_[turn_], "") << std::flush;
 }
 
 std::string shown(studies::Verdict verdict) {

@@ -1,9 +1,6 @@
 #include "studies/engine/crew.hpp"
 
 #include <algorithm>
-#include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
-#include <exception>
 #include <map>
 
 #include "studies/engine/decided.hpp"
@@ -64,8 +61,8 @@ std::vector<Line> lines_from(const Study& study, const std::vector<RunSpec>& spe
 
 }  // namespace
 
-Crew::Crew(const Study& study, const EngineOptions& options)
-    : study_(study), options_(options), specs_(specs_of(study)), shots_(specs_.size()), found_(specs_.size()) {
+Crew::Crew(const Study& study, std::size_t place, const EngineOptions& options, std::function<bool()> stop)
+    : study_(study), options_(options), stop_(std::move(stop)), specs_(specs_of(study)), shots_(specs_.size()), found_(specs_.size()) {
     const auto& quantities = study.measure.quantities;
     compares_ = std::any_of(quantities.begin(), quantities.end(), needs_reference);
     for (const auto& spec : specs_) {
@@ -74,11 +71,18 @@ Crew::Crew(const Study& study, const EngineOptions& options)
     }
     lines_ = lines_from(study, specs_, runs_, compares_);
     if (options.timing) timer_.emplace(*options.timing);
+    now_.study = place;
     now_.total = static_cast<int>(specs_.size());
 }
 
-bool Crew::stop() const {
-    return options_.interrupted != nullptr && options_.interrupted->load(std::memory_order_relaxed);
+std::vector<std::string> Crew::descriptions() const {
+    std::vector<std::string> all;
+    for (const auto& line : lines_) all.insert(all.end(), line.descriptions.begin(), line.descriptions.end());
+    return all;
+}
+
+double Crew::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
 void Crew::begins() {
@@ -92,6 +96,7 @@ void Crew::ends(std::size_t i) {
     ++now_.done;
     done_ += specs_[i].cost;
     now_.work_done = planned_ > 0 ? done_ / planned_ : 1;
+    now_.seconds = seconds();
     now_.last = &runs_[i];
     if (options_.progress) options_.progress(now_);
 }
@@ -120,8 +125,7 @@ void Crew::find_finished(Line& line) {
 void Crew::make(Line& line, std::size_t place) {
     const std::size_t i = line.runs[place];
     begins();
-    const auto stopped = [this] { return stop(); };
-    RunOutcome outcome = timer_ ? (*timer_)(specs_[i], stopped) : executed(specs_[i], stopped);
+    RunOutcome outcome = timer_ ? (*timer_)(specs_[i], stop_) : executed(specs_[i], stop_);
     runs_[i] = std::move(outcome.run);
     if (compares_) shots_[i] = std::move(outcome.snapshot);
     else keep(line, place);
@@ -134,7 +138,7 @@ void Crew::make(Line& line, std::size_t place) {
 /// Coarse to fine, until the coarser levels have decided.
 void Crew::go_down(Line& line) {
     std::string why;
-    for (std::size_t k = 0; k < line.runs.size() && !stop(); ++k) {
+    for (std::size_t k = 0; k < line.runs.size() && !stop_(); ++k) {
         const std::size_t i = line.runs[k];
         if (why.empty()) why = why_decided(study_, runs_, line.series, k);
         if (why.empty() && !found_[i]) {
@@ -186,7 +190,9 @@ void Crew::copy_from_twin(const Line& line) {
 }
 
 /// The most expensive first, so that threads end together; to be timed, the cheapest first.
-std::vector<Crew::Task> Crew::tasks() {
+std::vector<Task> Crew::begin() {
+    begin_ = std::chrono::steady_clock::now();
+    for (auto& line : lines_) find_finished(line);
     std::vector<Task> tasks;
     for (auto& line : lines_) {
         if (line.twin) continue;
@@ -195,40 +201,20 @@ std::vector<Crew::Task> Crew::tasks() {
             const double cost = specs_[line.runs[k]].cost;
             whole += cost;
             if (!study_.stops_when_decided && !found_[line.runs[k]])
-                tasks.push_back({cost, [this, &line, k] { make(line, k); }});
+                tasks.push_back({cost, {line.descriptions[k]}, [this, &line, k] { make(line, k); }});
         }
-        if (study_.stops_when_decided) tasks.push_back({whole, [this, &line] { go_down(line); }});
+        if (study_.stops_when_decided) tasks.push_back({whole, line.descriptions, [this, &line] { go_down(line); }});
     }
     if (timer_) std::ranges::stable_sort(tasks, std::less{}, &Task::cost);
     else std::ranges::stable_sort(tasks, std::greater{}, &Task::cost);
     return tasks;
 }
 
-std::vector<Run> Crew::all_runs() {
-    for (auto& line : lines_) find_finished(line);
-    const auto work = tasks();
-    std::exception_ptr wrong;
-    boost::asio::thread_pool pool(timer_ ? 1 : static_cast<std::size_t>(options_.jobs));
-    for (const auto& task : work) {
-        boost::asio::post(pool, [&] {
-            if (stop()) return;
-            try {
-                task.work();
-            } catch (const solvers::Interrupted&) {
-                return;
-            } catch (...) {
-                const std::lock_guard lock(mutex_);
-                wrong = std::current_exception();
-            }
-        });
-    }
-    pool.join();
-    if (stop()) throw StudyInterrupted{};
-    if (wrong) std::rethrow_exception(wrong);
+Engine::Outcome Crew::end() {
     for (const auto& line : lines_) {
         if (line.twin) copy_from_twin(line);
     }
-    return std::move(runs_);
+    return {std::move(runs_), seconds()};
 }
 
 }  // namespace ordo::studies

@@ -1,8 +1,10 @@
 #pragma once
-// The runs of one study on their way through a pool of workers; engine.hpp is what others call.
+// The runs of one study as tasks for a pool of workers; engine.hpp is what others call.
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "studies/engine/engine.hpp"
@@ -21,19 +23,27 @@ struct Line {
     std::size_t left = 0;                        ///< runs still to be made
 };
 
+/// Work for one worker, which may throw.
+struct Task {
+    double cost = 0;
+    std::vector<std::string> descriptions = {};  ///< of the runs that it makes or waits for
+    std::function<void()> work;
+};
+
 class Crew {
 public:
-    Crew(const Study& study, const EngineOptions& options);
-    /// Throws StudyInterrupted, and what went wrong outside of a run.
-    std::vector<Run> all_runs();
+    /// `place` is that of the study in the call, `stop` says that runs are to end by Interrupted.
+    Crew(const Study& study, std::size_t place, const EngineOptions& options, std::function<bool()> stop);
+
+    /// Descriptions of all runs.
+    std::vector<std::string> descriptions() const;
+    /// Takes what has been made already; the rest is returned in the order in which it is best begun. The tasks may be
+    /// worked on from several threads, while the crew stays where it is.
+    std::vector<Task> begin();
+    /// After all tasks.
+    Engine::Outcome end();
 
 private:
-    struct Task {
-        double cost = 0;
-        std::function<void()> work;
-    };
-
-    std::vector<Task> tasks();
     void find_finished(Line& line);
     void make(Line& line, std::size_t i);
     void go_down(Line& line);
@@ -42,10 +52,11 @@ private:
     void keep(const Line& line, std::size_t place);
     void begins();
     void ends(std::size_t i);
-    bool stop() const;
+    double seconds() const;
 
     const Study& study_;
     const EngineOptions& options_;
+    std::function<bool()> stop_;
     std::optional<Timer> timer_;  ///< where runs are timed, one at a time
     std::vector<RunSpec> specs_;
     std::vector<Run> runs_;
@@ -57,6 +68,7 @@ private:
     Progress now_;
     double planned_ = 0;
     double done_ = 0;
+    std::chrono::steady_clock::time_point begin_;
 };
 
 }  // namespace ordo::studies

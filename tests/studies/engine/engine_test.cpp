@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <mutex>
 
 #include "core/error.hpp"
 #include "studies/engine/judge.hpp"
@@ -60,6 +62,84 @@ TEST_CASE("a run that passes its time limit is a row, not the end", "[alarm]") {
     const auto runs = run_all(study_of(document), {.jobs = 2, .progress = {}});
     CHECK(runs[0].status == Status::ok);
     CHECK(runs[1].status == Status::timed_out);
+}
+
+namespace {
+
+/// Keeps in memory, and counts what was kept.
+class Memory : public FinishedRuns {
+public:
+    std::optional<Run> find(const std::string& description) override {
+        const std::lock_guard lock(mutex_);
+        const auto place = runs_.find(description);
+        if (place == runs_.end()) return std::nullopt;
+        Run run = place->second;
+        run.origin = Origin::shared;
+        return run;
+    }
+    void keep(const std::string& description, const Run& run) override {
+        const std::lock_guard lock(mutex_);
+        ++kept;
+        runs_.emplace(description, run);
+    }
+    int kept = 0;
+
+private:
+    std::mutex mutex_;
+    std::map<std::string, Run> runs_;
+};
+
+/// Five studies whose sweeps overlap: 8, 4 and 5, 4 to 6, 4 to 7, 4 to 8 and 16 to 64 cells.
+std::vector<Study> overlapping() {
+    std::vector<Study> studies;
+    for (const auto* cells : {"[8]", "[4, 5]", "[4, 5, 6]", "[4, 5, 6, 7]", "[4, 5, 6, 7, 8, 16, 32, 64]"})
+        studies.push_back(study_of(with("/sweep/cells", cells)));
+    return studies;
+}
+
+std::vector<const Study*> all_of(const std::vector<Study>& studies) {
+    std::vector<const Study*> all;
+    for (const auto& study : studies) all.push_back(&study);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("studies of one call: each as alone, in their order, equal runs made once", "[property]") {
+    const auto studies = overlapping();
+    for (const int jobs : {1, 2, 3, 8}) {
+        Memory memory;
+        std::vector<int> told(studies.size());
+        Engine engine(all_of(studies), {.jobs = jobs,
+                                        .progress = [&](const Progress& now) { told[now.study] = now.done; },
+                                        .finished = &memory});
+        for (std::size_t k = 0; k < studies.size(); ++k) {
+            const auto together = engine.next().runs;
+            const auto alone = run_all(studies[k], {});
+            REQUIRE(together.size() == alone.size());
+            CHECK(told[k] == static_cast<int>(alone.size()));
+            for (std::size_t i = 0; i < alone.size(); ++i) {
+                CHECK(std::memcmp(&together[i].errors[0].value, &alone[i].errors[0].value, sizeof(double)) == 0);
+            }
+        }
+        CHECK(memory.kept == 8);  // 4, 5, 6, 7, 8, 16, 32 and 64 cells
+    }
+}
+
+TEST_CASE("a study that is wrong ends the call at its turn, and those before it are whole", "[alarm]") {
+    auto studies = overlapping();
+    studies[2].solvers.front().name = "unknown";
+    Engine engine(all_of(studies), {.jobs = 3});
+    CHECK(engine.next().runs.size() == 1);
+    CHECK(engine.next().runs.size() == 2);
+    CHECK_THROWS_AS(engine.next(), InputError);
+}
+
+TEST_CASE("an engine that is left before its studies have ended stops them", "[unit]") {
+    const Study endless = study_of(with("/sweep", R"({"cells": [100000], "dt": 1e-9, "path": "space"})"));
+    const Study short_one = study_of(tests::sample_document());
+    Engine engine({&short_one, &endless, &endless}, {.jobs = 3});
+    CHECK(engine.next().runs.size() == 3);
 }
 
 TEST_CASE("an interrupt keeps nothing", "[alarm]") {
