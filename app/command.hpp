@@ -31,6 +31,7 @@ Command table_command();
 Command plot_command();
 Command oracle_command();
 Command solve_command();
+Command stability_command();
 Command basis_command();
 Command fit_command();
 Command completion_command(const std::vector<Command>& others);

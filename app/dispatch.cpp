@@ -107,9 +107,9 @@ int complain(const std::string& message, int code) {
 }  // namespace
 
 std::vector<Command> all_commands() {
-    std::vector<Command> commands{list_command(),    run_command(),   check_command(), accept_command(),
-                                  history_command(), table_command(), plot_command(),  oracle_command(),
-                                  solve_command(),   basis_command(), fit_command()};
+    std::vector<Command> commands{list_command(),    run_command(),       check_command(), accept_command(),
+                                  history_command(), table_command(),     plot_command(),  oracle_command(),
+                                  solve_command(),   stability_command(), basis_command(), fit_command()};
     commands.push_back(completion_command(commands));
     return commands;
 }

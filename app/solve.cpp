@@ -1,20 +1,15 @@
 // ordo solve: one run of one solver, its fields as columns.
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
 #include <iostream>
-#include <map>
 
 #include "app/columns.hpp"
-#include "app/command.hpp"
+#include "app/one_run.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "reports/files.hpp"
-#include "solvers/solver.hpp"
 #include "studies/engine/engine.hpp"
-#include "studies/engine/scene_entry.hpp"
-#include "studies/reader/study_reader.hpp"
 
 namespace ordo::app {
 namespace {
@@ -24,25 +19,6 @@ constexpr double most_steps = 1e9;
 std::atomic<bool> stop_asked{false};
 
 void ask_to_stop(int) { stop_asked = true; }
-
-/// --set scene.E=50, solver.stress_update=usl, resolution.cells=64, by their first word.
-std::map<std::string, Given> settings(const po::variables_map& options) {
-    const std::vector<std::string> kinds{"scene", "solver", "resolution"};
-    std::map<std::string, Given> given;
-    if (!options.contains("set")) return given;
-    for (const auto& text : options["set"].as<std::vector<std::string>>()) {
-        const auto setting = studies::setting_from(text);
-        const auto dot = setting.path.find('.');
-        const std::string kind = setting.path.substr(0, dot);
-        if (dot == std::string::npos || std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-            throw InputError("ordo solve --set " + text,
-                             "must begin with scene., solver. or resolution." + did_you_mean(kind, kinds));
-        }
-        if (!given[kind].emplace(setting.path.substr(dot + 1), studies::value_from(setting.value)).second)
-            throw InputError("ordo solve --set", "'" + one_line(setting.path) + "' is set twice");
-    }
-    return given;
-}
 
 std::vector<Column> columns_of(const solvers::Snapshot& shot) {
     const auto dim = static_cast<std::size_t>(shot.dim);
@@ -62,23 +38,11 @@ std::vector<Column> columns_of(const solvers::Snapshot& shot) {
 }
 
 int run(const po::variables_map& options, const std::vector<std::string>& words) {
-    if (words.size() != 1)
-        throw InputError("ordo solve", "names no scene; usage: ordo solve SCENE --solver NAME --t T");
-    if (!options.contains("solver")) throw InputError("ordo solve", "needs --solver NAME");
     if (!options.contains("t")) throw InputError("ordo solve", "needs --t T");
     const double t = options["t"].as<double>();
     if (!(t > 0) || !std::isfinite(t)) throw InputError("ordo solve --t", "is " + shortest(t) + ", but must be > 0");
-    auto given = settings(options);
-    const auto& scene = studies::scene_named(words.front(), "ordo solve");
-    const auto& solver = solvers::solver_named(options["solver"].as<std::string>(), "ordo solve --solver");
-    const auto problem =
-        scene.problem(resolve(scene.parameters, given["scene"], "ordo solve --set", "scene " + scene.name));
-    const auto values = resolve(solver.options, given["solver"], "ordo solve --set", "solver " + solver.name);
-    const auto resolution =
-        resolve(solver.resolution, given["resolution"], "ordo solve --set", "solver " + solver.name);
-    if (!solver.accepts(problem))
-        throw InputError("ordo solve", "solver " + solver.name + " does not accept the scene " + scene.name);
-    const auto plan = solver.plan(problem, values, resolution);
+    const auto [scene, problem, solver, values, resolution] = one_run_from(options, words, "ordo solve");
+    const auto plan = solver->plan(problem, values, resolution);
     if (!(t / plan.dt < most_steps))
         throw InputError("ordo solve", "asks for more than " + shortest(most_steps) + " steps");
     const auto format = options["format"].as<std::string>();
@@ -87,10 +51,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
     std::signal(SIGTERM, ask_to_stop);
     const auto out = options.contains("out") ? options["out"].as<std::string>() : "";
     if (!out.empty()) reports::check_writable(out);
-    const auto fields = solver.fields_in ? solver.fields_in(problem) : solver.fields;
+    const auto fields = solver->fields_in ? solver->fields_in(problem) : solver->fields;
     std::string text;
     try {
-        const auto simulation = solver.start(problem, values, resolution, fields);
+        const auto simulation = solver->start(problem, values, resolution, fields);
         simulation->advance_to(t, [] { return stop_asked.load(std::memory_order_relaxed); });
         text = columns_as(format, columns_of(simulation->snapshot()), "ordo solve");
     } catch (const solvers::Interrupted&) {
@@ -108,12 +72,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& words)
 
 Command solve_command() {
     po::options_description options("options");
+    add_one_run_options(options);
     // clang-format off
     options.add_options()
-        ("solver", po::value<std::string>()->value_name("NAME"), "which solver")
         ("t", po::value<double>()->value_name("T"), "end of the run [s]")
-        ("set", po::value<std::vector<std::string>>()->value_name("path=value"),
-         "scene.k=v, solver.k=v or resolution.k=v; may be repeated")
         ("out,o", po::value<std::string>()->value_name("FILE"), "where the columns go (default standard output)")
         ("format", po::value<std::string>()->value_name("NAME")->default_value("csv"), "csv or json");
     // clang-format on

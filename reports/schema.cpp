@@ -6,6 +6,7 @@
 #include "studies/engine/scene_entry.hpp"
 #include "studies/engine/study.hpp"
 #include "studies/reader/json_input.hpp"
+#include "studies/amplification/figures.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -103,16 +104,25 @@ Json measure_schema() {
             if (std::ranges::find(fields, name) == fields.end()) fields.push_back(name);
         }
     }
-    return object({{"at", above_zero},
-                   {"until", words({"exact", "accumulated", "steps"})},
-                   {"fields", one_or_list(words(fields))},
-                   {"norms", one_or_list(words(studies::norm_names()))},
-                   {"over", words({"final", "maximum"})},
-                   {"volume", words({"current", "undeformed"})},
-                   {"near", above_zero},
-                   {"against", one_or_list(words({"exact", "finest", "itself"}))},
-                   {"orders_against", one_or_list(abscissa)}},
-                  {"at", "fields"});
+    const Json measured = object({{"at", above_zero},
+                                  {"until", words({"exact", "accumulated", "steps"})},
+                                  {"fields", one_or_list(words(fields))},
+                                  {"norms", one_or_list(words(studies::norm_names()))},
+                                  {"over", words({"final", "maximum"})},
+                                  {"volume", words({"current", "undeformed"})},
+                                  {"near", above_zero},
+                                  {"against", one_or_list(words({"exact", "finest", "itself"}))},
+                                  {"orders_against", one_or_list(abscissa)}},
+                                 {"at", "fields"});
+    const Json asked =
+        object({{"stability", one_or_list(words(studies::stability_names()))},
+                {"crossings", above_zero},
+                {"between", {{"type", "array"}, {"items", above_zero}, {"minItems", 2}, {"maxItems", 2}}},
+                {"tolerance", above_zero},
+                {"growth", above_zero},
+                {"motion", words({"noise", "scene"})}},
+               {"stability"});
+    return {{"oneOf", {measured, asked}}};
 }
 
 Json expectation_schema() {
@@ -123,14 +133,19 @@ Json expectation_schema() {
                         {"levels", {{"type", "integer"}, {"minimum", 2}}},
                         {"error_at_most", above_zero},
                         {"exact_within", above_zero},
+                        {"value", {{"type", "number"}}},
+                        {"agrees_with", text},
                         {"against", abscissa},
                         {"where", texts},
                         {"of", texts},
                         {"solver", texts},
                         {"source", text}},
                        {"source"});
-    json["oneOf"] = {
-        {{"required", {"order", "within"}}}, {{"required", {"error_at_most"}}}, {{"required", {"exact_within"}}}};
+    json["oneOf"] = {{{"required", {"order", "within"}}},
+                     {{"required", {"error_at_most"}}},
+                     {{"required", {"exact_within"}}},
+                     {{"required", {"value", "within"}}},
+                     {{"required", {"agrees_with", "within"}}}};
     return json;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/field.hpp"
 #include "core/text.hpp"
+#include "studies/amplification/figures.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -32,7 +33,8 @@ std::string norm_words(Norm norm) {
         case Norm::contact: return "contacts";
         case Norm::l1_near: return "L1 (near waves)";
         case Norm::l1_away: return "L1 (away from waves)";
-        case Norm::fan_edge: break;
+        case Norm::fan_edge:
+        case Norm::value: break;
     }
     return "edges of the fans";
 }
@@ -72,6 +74,7 @@ std::vector<const studies::SeriesFit*> fits_along(const studies::Result& result,
 }
 
 std::string error_words(const studies::Quantity& quantity) {
+    if (is_value(quantity.norm)) return studies::stability_words(quantity.field);
     if (studies::is_place(quantity.norm))
         return "error of the place of the " + norm_words(quantity.norm) + " in " + quantity.field;
     const std::string norm = (quantity.maximum ? "largest " : "") + norm_words(quantity.norm) +

@@ -15,8 +15,9 @@
 
 namespace ordo::solvers {
 
-/// How one face of the body's box is held. `roller` holds the normal component only; in 1D it equals `fixed`.
-enum class Face { free, fixed, roller };
+/// How one face of the body's box is held. `roller` holds the normal component only; in 1D it equals `fixed`. Where one
+/// is `periodic` so is the face across, and the body goes on there.
+enum class Face { free, fixed, roller, periodic };
 
 /// A vector field over many points at once, so that a kernel pays one call a step and none a particle:
 /// out[i] = f(X[i], t), with X the position in the undeformed body [m] and t the time [s].
@@ -50,6 +51,14 @@ struct SolidScene {
     std::optional<VectorField<dim>> face_velocity = {};  ///< of held faces, in the directions held [m/s]; absent: rest
     std::optional<double> damping = {};                  ///< alpha of the body force -alpha v per unit mass [1/s]
 };
+
+template <int dim>
+bool any_face(const SolidScene<dim>& scene, Face kind) {
+    for (const auto& pair : scene.faces) {
+        if (pair[0] == kind || pair[1] == kind) return true;
+    }
+    return false;
+}
 
 /// An equation f(x) = 0 in one unknown, and where an iteration begins.
 struct ScalarEquation {

@@ -102,6 +102,9 @@ struct Solver {
     std::string width_axis = "cells";        ///< the axis of its resolution that refines Plan::h
     std::string width = "mesh width h [m]";  ///< what h is, in the words of a plot's axis
     std::vector<std::string> fields;         ///< names of the fields that its snapshots can hold
+    /// Of a solid body: the one that a step carries on beside the velocity, positions aside: "strain" or "displacement".
+    /// Empty where that is not all.
+    std::string carries{};
     /// Those of them that a problem has; empty where every problem has all.
     std::function<std::vector<std::string>(const Scene&)> fields_in{};
     std::function<Claim(const Values& options)> claim;

@@ -25,14 +25,18 @@ void require_numbers(const BarVibration& bar) {
                                                  ": the frequency or an amplitude is out of the range of numbers");
 }
 
+BarVibration::Ends ends_of(const std::string& word) {
+    using Ends = BarVibration::Ends;
+    return word == "fixed_free" ? Ends::fixed_free : word == "fixed_fixed" ? Ends::fixed_fixed : Ends::periodic;
+}
+
 Exact bind(const Values& values) {
-    const BarVibration bar{
-        .L = values.number("L"),
-        .E = youngs_modulus(values, 100, "oracle bar_vibration"),
-        .rho = values.number("rho"),
-        .v0 = values.number("v0"),
-        .mode = values.whole("mode"),
-        .ends = values.word("ends") == "fixed_free" ? BarVibration::Ends::fixed_free : BarVibration::Ends::fixed_fixed};
+    const BarVibration bar{.L = values.number("L"),
+                           .E = youngs_modulus(values, 100, "oracle bar_vibration"),
+                           .rho = values.number("rho"),
+                           .v0 = values.number("v0"),
+                           .mode = values.whole("mode"),
+                           .ends = ends_of(values.word("ends"))};
     require_numbers(bar);
     const auto row = [bar](double X, double t) {
         return std::array{bar.displacement(X, t), bar.velocity(X, t), bar.stress(X, t), bar.strain(X, t)};
@@ -59,7 +63,7 @@ Exact bind(const Values& values) {
 }  // namespace
 
 double BarVibration::wave_number() const {
-    return ends == Ends::fixed_free ? (2 * mode - 1) * pi / (2 * L) : mode * pi / L;
+    return ends == Ends::fixed_free ? (2 * mode - 1) * pi / (2 * L) : (ends == Ends::periodic ? 2 : 1) * mode * pi / L;
 }
 double BarVibration::frequency() const { return wave_number() * std::sqrt(E / rho); }
 
@@ -79,12 +83,12 @@ double BarVibration::cell_factor(double a, double b) const {
 
 Oracle bar_vibration() {
     return {.name = "bar_vibration",
-            .about = "One mode of an elastic bar, fixed at one end or at both",
+            .about = "One mode of an elastic bar, fixed at one end or at both, or periodic",
             .source = {"WobbesTielen2015"},
             .explanation =
                 "rho u_tt = E u_XX;  u(X, 0) = 0,  u_t(X, 0) = v0 sin(k X)\n"
                 "u = (v0 / omega) sin(omega t) sin(k X),  omega = k sqrt(E / rho)\n"
-                "fixed_free: k = (2 mode - 1) pi / (2 L);  fixed_fixed: k = mode pi / L\n"
+                "fixed_free: k = (2 mode - 1) pi / (2 L);  fixed_fixed: k = mode pi / L;  periodic: k = 2 mode pi / L\n"
                 "x is the position in the undeformed bar; exact at any strain where the nominal stress is E (F - 1)\n"
                 "a cell's mean is the value at its middle times sin(z) / z, z = k (b - a) / 2\n"
                 "refused: t beyond 1e12 / omega, where the phase is lost\n"
@@ -95,7 +99,9 @@ Oracle bar_vibration() {
                  number("v0", "m/s", 0.1, finite, "amplitude of the velocity at t = 0"),
                  whole("mode", 1, between(1, 1000), "which mode, counted from 1"),
                  word("ends", "fixed_free",
-                      {{"fixed_free", "u = 0 at X = 0, no traction at X = L"}, {"fixed_fixed", "u = 0 at both ends"}},
+                      {{"fixed_free", "u = 0 at X = 0, no traction at X = L"},
+                       {"fixed_fixed", "u = 0 at both ends"},
+                       {"periodic", "the bar goes on at X = L as it began at X = 0"}},
                       "how the ends are held")},
                 100),
             .fields = standard_fields(),

@@ -1,5 +1,5 @@
 #pragma once
-// One mode of an elastic bar, fixed at one end or at both.
+// One mode of an elastic bar, fixed at one end or at both, or periodic.
 #include "oracles/oracle.hpp"
 
 namespace ordo::oracles {
@@ -8,6 +8,7 @@ namespace ordo::oracles {
 ///
 ///   u(X, t) = (v0 / omega) sin(omega t) sin(k X),   omega = k sqrt(E / rho)
 ///   fixed_free:  k = (2n - 1) pi / (2L)             fixed_fixed:  k = n pi / L
+///   periodic:    k = 2 n pi / L
 ///
 /// X        position in the undeformed bar, 0 <= X <= L [m]      t   time [s]
 /// means    over a cell [a, b]: the value at its middle times sinc(k (b - a) / 2), for all four fields
@@ -15,7 +16,7 @@ namespace ordo::oracles {
 /// tests/oracles/bars/bar_vibration_test.cpp) source   [WobbesTielen2015]; exact for any strain where the nominal
 /// stress is E (F - 1)
 struct BarVibration {
-    enum class Ends { fixed_free, fixed_fixed };
+    enum class Ends { fixed_free, fixed_fixed, periodic };
 
     double L = 25;    ///< length [m]
     double E = 100;   ///< Young's modulus [Pa]

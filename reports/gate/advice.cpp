@@ -15,7 +15,8 @@ std::string advice(studies::Fault fault) {
             return "an exact answer has no order: expect 'exact_within', or see whether it compares with itself";
         case point_missing: return "run the study anew; where runs are made elsewhere, see which never came back";
         case point_repeated: return "see what put the run there twice: a merged report, or a value twice in the sweep";
-        case off_plan: return "see what moved the end of that run, its mesh width or its step: the study planned another";
+        case off_plan:
+            return "see what moved the end of that run, its mesh width or its step: the study planned another";
         case fewer_levels: return "add levels to the sweep, or see in the table why points were left out of the fit";
         case run_failed:
             return "the run's reason stands in the report's table; a larger timeout_s may be what it needs";
@@ -34,6 +35,9 @@ std::string advice(studies::Fault fault) {
         case diverges: return "the error grows under refinement: look at the plot for where it turns";
         case error_too_large:
             return "compare with the table of an older report; 'ordo accept' tells what an accepted one had";
+        case value_off:
+            return "see in the table which runs are off; a limit moves with the scheme, the places of particles and "
+                   "the ends";
         case published_differs: return "'ordo table' marks the printed values that differ with '!'";
         case expects_nothing: return "write what should come out into the study's 'expect'";
         case no_such_series: return "the expectation's 'where', 'of', 'solver' or 'against' admits no run of the sweep";

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "reports/files.hpp"
 #include "reports/plot/board.hpp"
+#include "reports/plot/numbers.hpp"
 #include "reports/plot/script.hpp"
+#include "reports/table/numbers.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::reports {
@@ -52,9 +55,19 @@ Words convergence_words(const studies::Result& result, const View& view, const L
     return words;
 }
 
+Drawing number_figure(const studies::Result& result, PlotFormat format) {
+    const bool map = makes_map(result.study);
+    std::string name = result.study.name + (map ? "-map" : "-numbers");
+    std::ranges::replace(name, '/', '_');
+    name = safe_path(name);
+    const auto script = map ? map_script : curves_script;
+    return {name, script(result, format, name + ending_of(format))};
+}
+
 }  // namespace
 
 std::vector<Drawing> figures(const Report& report, PlotFormat format) {
+    if (gives_numbers(report.result.study)) return {number_figure(report.result, format)};
     std::vector<Drawing> all;
     const auto views = views_of(report.result);
     for (const auto& view : views) {
@@ -69,6 +82,8 @@ std::vector<Drawing> figures(const Report& report, PlotFormat format) {
 
 std::vector<Drawing> figures(const Report& report, PlotFormat format, Cost cost, const std::vector<double>& errors) {
     refuse_without(report.result, cost);
+    if (gives_numbers(report.result.study))
+        throw InputError(report.result.study.name, "gives numbers and no errors, which are not drawn over their cost");
     std::vector<Drawing> all;
     for (const auto& quantity : report.result.study.measure.quantities) {
         if (quantity.against == studies::Against::itself) continue;

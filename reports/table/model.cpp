@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "reports/order_view.hpp"
+#include "reports/table/numbers.hpp"
 #include "reports/view.hpp"
 #include "studies/engine/extrapolated.hpp"
 #include "studies/engine/joint.hpp"
@@ -243,7 +244,9 @@ std::size_t group_width(const Table& table, const Group& group, std::size_t firs
 TableModel table_model(const Report& report) {
     const Result& result = report.result;
     TableModel model{result.study.name, result.study.about, {}, {}, text_of(result.verdict)};
-    for (const auto& view : views_of(result)) model.tables.push_back(table_of(result, view));
+    if (gives_numbers(result.study)) model.tables.push_back(number_table(result));
+    else
+        for (const auto& view : views_of(result)) model.tables.push_back(table_of(result, view));
     for (const auto& joint : joint_fits_of(result.study, result.runs)) {
         const std::string subject = "joint fit of " + joint.quantity + ", " + joint.grid + ": ";
         for (const auto& line : lines_of(joint.fit)) model.verdicts.push_back(subject + line);

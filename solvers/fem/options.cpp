@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::solvers::fem {
@@ -39,6 +40,8 @@ Options options_from(const Values& values) {
 }
 
 Resolution resolution_from(const SolidScene<1>& scene, const Values& values) {
+    if (any_face(scene, Face::periodic))
+        throw InputError("", "the scene has periodic faces, which solver fem does not know (nearest: fixed)");
     Resolution resolution;
     resolution.cells = values.whole("cells");
     resolution.h = (scene.upper[0] - scene.lower[0]) / resolution.cells;

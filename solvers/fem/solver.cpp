@@ -160,6 +160,7 @@ Solver solver() {
         .options = option_parameters(),
         .resolution = resolution_parameters(),
         .fields = {"displacement", "velocity", "stress", "strain"},
+        .carries = "displacement",
         .claim = claim,
         .accepts = [](const Scene& scene) { return std::holds_alternative<SolidScene<1>>(scene); },
         .plan = plan,

@@ -95,7 +95,7 @@ std::vector<Parameter> option_parameters() {
 
 std::vector<Parameter> resolution_parameters() {
     return {required(whole("cells", 2, between(2, 1e8), "equal cells between the ends")),
-            number("courant", "-", 0.45, {.low = 0, .high = 1, .low_excluded = true},
+            number("courant", "-", 0.45, {.low = 0, .high = 4, .low_excluded = true},
                    "dt (|v| + a) / h of the fastest cell, in each step")};
 }
 

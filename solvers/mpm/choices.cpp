@@ -126,6 +126,12 @@ std::vector<Parameter> resolution_parameters() {
             required(whole("cells", 1, between(1, 1e7), "cells along the first axis of the body")),
             number("ppc", "-", 1, between(0.25, 64),
                    "particles a cell and direction; whole but for placement body_centred"),
+            number("spread", "-", 1, between(0, 4),
+                   "particles stand at this times the placement's distance from the middle of their cell"),
+            number("shift", "-", 0, between(-1, 1),
+                   "all particles are put aside by this times the length that they stand for, along each axis"),
+            number("scatter", "-", 0, between(0, 1),
+                   "each is put aside at random, along each axis, up to half of this times its length to either side"),
         },
         step_parameters());
 }

@@ -1,5 +1,6 @@
 #pragma once
 // The background grid: a box of equal cells, the nodes of a basis on it, what they carry, and those that are held.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -31,6 +32,7 @@ struct Grid {
     std::array<int, dim> cells{};   ///< along each axis
     std::array<int, dim> stride{};  ///< from a node to the next one along each axis
     bool extrapolate = false;
+    std::array<bool, dim> periodic{};  ///< axes whose faces are: `degree` cells before and behind the body stand for it
     std::array<std::vector<double>, dim> place;  ///< of the nodes along each axis, in cells from `lower`
     std::vector<double> m;                       ///< [kg]
     std::vector<Vec<dim>> v;                     ///< momentum while it is being gathered, then velocity [m/s]
@@ -49,6 +51,32 @@ struct Grid {
             x[axis] = lower[axis] + h * place[axis][static_cast<std::size_t>(along)];
         }
         return x;
+    }
+
+    bool is_periodic() const { return std::ranges::find(periodic, true) != periodic.end(); }
+
+    /// x by whole periods to where the body was at the start. A place within a box that round-off has put outside
+    /// stays.
+    Vec<dim> folded(Vec<dim> x) const {
+        for (int axis = 0; axis < dim; ++axis) {
+            if (!periodic[axis]) continue;
+            const double period = h * (cells[axis] - 2 * degree);
+            const double turns = std::floor((x[axis] - lower[axis] - h * degree) / period + end_tolerance);
+            if (turns != 0) x[axis] -= turns * period;
+        }
+        return x;
+    }
+
+    /// The node that stands for node i: of all that are a period apart one.
+    int image(int i) const {
+        int node = i;
+        for (int axis = 0; axis < dim; ++axis) {
+            if (!periodic[axis]) continue;
+            const int period = cells[axis] - 2 * degree;
+            const int along = i / stride[axis] % (cells[axis] + degree);
+            node += stride[axis] * ((along + degree * (period - 1)) % period + degree - along);
+        }
+        return node;
     }
 
     /// The cell of x along each axis, and the local coordinate xi there. False where the grid ends, and for NaN.
@@ -94,8 +122,10 @@ Grid<dim>::Grid(const SolidScene<dim>& scene, const Options& options, const Reso
         const bool widened =
             options.beyond_grid == BeyondGrid::extend && options.frame == Frame::updated && !options.cells_span_grid;
         const int margin = widened ? static_cast<int>(std::ceil(options.margin * body)) + 1 : 0;
-        const int before = face[0] == Face::free ? margin : 0;
-        cells[axis] = before + body + (face[1] == Face::free ? margin : 0);
+        periodic[axis] = face[0] == Face::periodic;
+        const auto beyond = [&](Face which) { return which == Face::free ? margin : periodic[axis] ? degree : 0; };
+        const int before = beyond(face[0]);
+        cells[axis] = before + body + beyond(face[1]);
         lower[axis] -= before * h;
         for (int i = 0; i < cells[axis] + degree; ++i) place[axis].push_back(greville(i, degree, cells[axis]));
         ends[axis] = {0, cells[axis] + degree - 1};
@@ -111,7 +141,7 @@ Grid<dim>::Grid(const SolidScene<dim>& scene, const Options& options, const Reso
             const int index = node / stride[axis] % (cells[axis] + degree);
             for (int side = 0; side < 2; ++side) {
                 const Face face = scene.faces[axis][side];
-                if (face == Face::free || index != ends[axis][side]) continue;
+                if (face == Face::free || face == Face::periodic || index != ends[axis][side]) continue;
                 for (int c = 0; c < dim; ++c) holds[c] = holds[c] || face == Face::fixed || c == axis;
             }
         }

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "solvers/mpm/particles.hpp"
 #include "solvers/solver.hpp"
 
 namespace ordo::solvers::mpm {
@@ -106,6 +107,22 @@ bool knows_rates(const Law& law) {
            std::holds_alternative<NominalLaw>(law);
 }
 
+/// What looks at distances to nodes, or at the body's ends, does not know that the body goes on across a face.
+template <int dim>
+void check_periodic(const SolidScene<dim>& scene, const Options& o) {
+    if (!any_face(scene, Face::periodic)) return;
+    for (const auto& pair : scene.faces)
+        refuse_if(pair[0] != pair[1] && (pair[0] == Face::periodic || pair[1] == Face::periodic),
+                  "the scene has a periodic face, so that the one across must be periodic too");
+    refuse_if(o.affine(), "'transfer' is affine, which the scene's periodic faces do not go with (nearest: 'flip')");
+    refuse_if(o.basis == Basis::cpdi2 || o.basis == Basis::ddmp,
+              "'basis' is one that the scene's periodic faces do not go with (nearest: 'cpdi')");
+    refuse_if(o.reconstruction != Reconstruction::none || o.beyond_grid != BeyondGrid::extend || o.cells_span_grid ||
+                  o.body_force == BodyForce::nodes,
+              "the scene has periodic faces, which need reconstruction 'none', beyond_grid 'extend', cells_span 'body' "
+              "and body_force 'particles' or 'left_out'");
+}
+
 }  // namespace
 
 int Options::spline_degree() const {
@@ -150,13 +167,11 @@ void check_fits(const SolidScene<dim>& scene, const Options& o) {
     const bool history = std::holds_alternative<J2Law>(scene.law);
     const bool rates = knows_rates(scene.law);
     refuse_if(dim > 1 && o.reconstruction != Reconstruction::none, "'reconstruction' is for one dimension");
-    bool free_face = false;
-    for (const auto& pair : scene.faces) {
-        for (const Face face : pair) free_face = free_face || face == Face::free;
-    }
-    refuse_if(o.reconstruction != Reconstruction::none && free_face && o.beyond_grid != BeyondGrid::follow,
-              "'reconstruction' would cut cells at the scene's free face, whose load no particle then feels: choose "
-              "beyond_grid 'follow'");
+    check_periodic(scene, o);
+    refuse_if(
+        o.reconstruction != Reconstruction::none && any_face(scene, Face::free) && o.beyond_grid != BeyondGrid::follow,
+        "'reconstruction' would cut cells at the scene's free face, whose load no particle then feels: choose "
+        "beyond_grid 'follow'");
     refuse_if(dim > 1 && o.beyond_grid == BeyondGrid::follow,
               "'beyond_grid' is \"follow\", which is for one dimension");
     refuse_if(dim > 1 && o.stress_from_F && rates,
@@ -170,6 +185,23 @@ void check_fits(const SolidScene<dim>& scene, const Options& o) {
               "the scene moves a held face, which leaves its nodes behind in the updated frame: choose frame 'total'");
 }
 
+namespace {
+
+/// Where in their cells particles are put, away from the placement.
+void read_places(const Options& options, const Values& values, Resolution& resolution) {
+    resolution.spread = values.number("spread");
+    resolution.shift = values.number("shift");
+    resolution.scatter = values.number("scatter");
+    if (options.placement == Placement::body_centred)
+        return refuse_if(resolution.spread != 1 || resolution.shift != 0,
+                         "'spread' and 'shift' are for placements by cells, and 'placement' is \"body_centred\"");
+    for (const auto& [xi, share] : seeds_in_cell(options, resolution))
+        refuse_if(xi < 0 || xi > 1, "'shift' and 'spread' together put a particle at " + shortest(xi) +
+                                        " of its cell, which must lie in [0, 1]");
+}
+
+}  // namespace
+
 template <int dim>
 Resolution resolution_from(const SolidScene<dim>& scene, const Options& options, const Values& values) {
     Resolution resolution;
@@ -179,6 +211,7 @@ Resolution resolution_from(const SolidScene<dim>& scene, const Options& options,
               "'ppc' is " + shortest(resolution.ppc) + ", but must be whole unless placement is 'body_centred'");
     refuse_if(options.placement == Placement::body_centred && std::round(resolution.ppc * resolution.cells) < 1,
               "'ppc' is " + shortest(resolution.ppc) + ", which leaves no particle");
+    read_places(options, values, resolution);
     const Vec<dim> edges = scene.upper - scene.lower;
     if (options.cells_span_grid) {
         const double free_ends = (scene.faces[0][0] == Face::free ? 1 : 0) + (scene.faces[0][1] == Face::free ? 1 : 0);

@@ -58,10 +58,14 @@ struct Options {
     }
 };
 
-/// How finely: cells along the first axis, particles a cell and direction, and the step [s].
+/// How finely: cells along the first axis, particles a cell and direction, and the step [s]; and how the particles
+/// stand.
 struct Resolution {
     int cells = 1;
     double ppc = 1;
+    double spread = 1;   ///< distances from the middle of the cell, in those of the placement
+    double shift = 0;    ///< of all particles along each axis, in the lengths that they stand for
+    double scatter = 0;  ///< the same of each by itself, up to half of this to either side
     double h = 1;
     double dt = 0;
 };

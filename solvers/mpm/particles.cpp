@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <random>
 
 namespace ordo::solvers::mpm {
 namespace {
@@ -38,7 +39,7 @@ std::vector<Stretch> along_edge(const Options& options, const Resolution& resolu
         const double count = count_along_edge(options, resolution, edge);
         for (double k = 0; k < count; ++k) line.push_back({(k + 0.5) / count * edge, edge / count});
     } else {
-        const auto cell = seeds(options.placement, static_cast<int>(resolution.ppc));
+        const auto cell = seeds_in_cell(options, resolution);
         for (long c = 0; c < cells_along(options, resolution, edge); ++c) {
             for (const auto& [xi, share] : cell)
                 line.push_back({(static_cast<double>(c) + xi) * resolution.h, share * resolution.h});
@@ -58,8 +59,15 @@ void place(Particles<dim>& particles, const SolidScene<dim>& scene, const Option
     std::array<std::vector<Stretch>, dim> line;
     for (int axis = 0; axis < dim; ++axis)
         line[axis] = along_edge(options, resolution, scene.upper[axis] - scene.lower[axis]);
+    std::mt19937_64 random;  // the standard says which numbers follow
     for_each_place<dim>(line, [&](const Vec<dim>& distance, const Vec<dim>& length) {
         particles.X.push_back(scene.lower + distance);
+        if (resolution.scatter > 0) {
+            for (int axis = 0; axis < dim; ++axis) {
+                const double part = std::ldexp(static_cast<double>(random() >> 11), -53) - 0.5;
+                particles.X.back()[axis] += resolution.scatter * part * length[axis];
+            }
+        }
         particles.half.push_back(0.5 * length);
         particles.volume.push_back(length.prod());
         particles.m.push_back(scene.rho * particles.volume.back());
@@ -114,6 +122,15 @@ std::vector<Seed> seeds(Placement placement, int ppc) {
         const double centred = (2.0 * k - 1.0) / (2.0 * ppc);
         const double even = static_cast<double>(k) / (ppc + 1.0);
         points.push_back({placement == Placement::even_interior ? even : centred, 1.0 / ppc});
+    }
+    return points;
+}
+
+std::vector<Seed> seeds_in_cell(const Options& options, const Resolution& resolution) {
+    auto points = seeds(options.placement, static_cast<int>(resolution.ppc));
+    for (auto& [xi, share] : points) {
+        if (resolution.spread != 1) xi = 0.5 + resolution.spread * (xi - 0.5);
+        xi += resolution.shift * share;
     }
     return points;
 }

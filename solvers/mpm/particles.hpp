@@ -13,6 +13,8 @@ struct Seed {
     double share;
 };
 std::vector<Seed> seeds(Placement placement, int ppc);
+/// The same, spread and shifted; not for placement body_centred.
+std::vector<Seed> seeds_in_cell(const Options& options, const Resolution& resolution);
 
 /// Distance of a particle along one axis from where the body begins, and the length that it stands for [m].
 struct Stretch {

@@ -244,6 +244,7 @@ Solver solver() {
             .options = option_parameters(),
             .resolution = resolution_parameters(),
             .fields = {"displacement", "velocity", "stress", "strain"},
+            .carries = "strain",
             .claim = claim,
             .accepts = is_solid,
             .plan = plan,

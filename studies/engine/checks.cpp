@@ -10,18 +10,12 @@
 #include "studies/engine/judge.hpp"
 #include "studies/engine/order_check.hpp"
 #include "studies/engine/run.hpp"
+#include "studies/engine/value_check.hpp"
 
 namespace ordo::studies {
 namespace {
 
 const Run& run_of(const Result& result, int id) { return result.runs[static_cast<std::size_t>(id)]; }
-
-std::string range_text(const std::vector<Condition>& where) { return where.empty() ? "" : " where " + text_of(where); }
-
-bool admits(const Expectation& expectation, const Run& run) {
-    return std::all_of(expectation.where.begin(), expectation.where.end(),
-                       [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
-}
 
 /// Whether the expectation's range holds a run of the fit's series; a range of other axes may leave none.
 bool admits_any(const Result& result, const Expectation& expectation, const SeriesFit& fit) {
@@ -139,7 +133,7 @@ Misplaced misplaced(const Result& result) {
 /// a wave that a coarse answer does not show is no number, and only an expectation asks for it.
 Fault no_error(const Result& result) {
     for (const auto& quantity : result.study.measure.quantities) {
-        if (is_place(quantity.norm)) continue;
+        if (is_place(quantity.norm) || is_value(quantity.norm)) continue;
         for (const auto& run : result.runs) {
             const bool is_reference = run.status == Status::reference && quantity.against == Against::finest;
             if ((run.status != Status::ok && run.status != Status::reference) || is_reference) continue;
@@ -212,7 +206,10 @@ std::vector<Check> checks_of(const Result& result) {
                               "no run counts it; counted are " + joined(counters_of(result)), Fault::no_such_series});
     }
     for (const auto& expectation : result.study.expect) {
-        if (expectation.kind == Expectation::Kind::order) check_orders(result, expectation, checks);
+        using Kind = Expectation::Kind;
+        if (expectation.kind == Kind::order) check_orders(result, expectation, checks);
+        else if (expectation.kind == Kind::value || expectation.kind == Kind::agreement)
+            check_values(result, expectation, checks);
         else check_bounds(result, expectation, checks);
     }
     for (const auto& table : result.study.published) {

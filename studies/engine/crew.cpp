@@ -62,7 +62,12 @@ std::vector<Line> lines_from(const Study& study, const std::vector<RunSpec>& spe
 }  // namespace
 
 Crew::Crew(const Study& study, std::size_t place, const EngineOptions& options, std::function<bool()> stop)
-    : study_(study), options_(options), stop_(std::move(stop)), specs_(specs_of(study)), shots_(specs_.size()), found_(specs_.size()) {
+    : study_(study),
+      options_(options),
+      stop_(std::move(stop)),
+      specs_(specs_of(study)),
+      shots_(specs_.size()),
+      found_(specs_.size()) {
     const auto& quantities = study.measure.quantities;
     compares_ = std::any_of(quantities.begin(), quantities.end(), needs_reference);
     for (const auto& spec : specs_) {

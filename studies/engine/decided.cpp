@@ -38,11 +38,6 @@ struct Levels {
     }
 };
 
-bool admits(const Expectation& expectation, const Run& run) {
-    return std::ranges::all_of(expectation.where,
-                               [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
-}
-
 /// A printed value that is judged stands at this run.
 bool has_printed_value(const Study& study, const Run& run) {
     const auto matches = [&](const PublishedValue& value) {

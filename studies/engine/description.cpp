@@ -32,7 +32,11 @@ Json measure_json(const Measure& measure) {
     Json quantities = Json::array();
     for (const auto& quantity : measure.quantities)
         quantities.push_back({{"key", quantity.key()}, {"near", exact(quantity.near)}});
-    return {{"fields", measure.fields}, {"quantities", std::move(quantities)}};
+    Json json{{"fields", measure.fields}, {"quantities", std::move(quantities)}};
+    if (const auto& asked = measure.stability)
+        json["stability"] = {{"crossings", asked->crossings}, {"from", asked->from},     {"to", asked->to},
+                             {"tolerance", asked->tolerance}, {"growth", asked->growth}, {"as_scene", asked->as_scene}};
+    return json;
 }
 
 Json json_of(const RunSpec& spec) {

@@ -34,9 +34,9 @@ public:
 };
 
 struct EngineOptions {
-    int jobs = 1;                                    ///< worker threads
+    int jobs = 1;                                        ///< worker threads
     std::function<void(const Progress&)> progress = {};  ///< may be empty
-    const std::atomic<bool>* interrupted = nullptr;  ///< set from outside to stop between two steps
+    const std::atomic<bool>* interrupted = nullptr;      ///< set from outside to stop between two steps
     /// Runs are then timed by repetition, one at a time whatever `jobs` says, the cheapest first; where one passes its
     /// time limit, dearer ones of its solver are not run.
     std::optional<TimingRule> timing = {};
@@ -50,9 +50,9 @@ struct StudyInterrupted : std::exception {};
 /// Throws InputError, before anything runs, where scene, solver and resolution do not go together.
 std::vector<Run> run_all(const Study& study, const EngineOptions& options);
 
-/// Several studies, one after the other, through one pool of workers: one that finds no run of a study left goes on to the
-/// next study, unless runs are timed. Equal runs of two studies are made once where `finished` keeps them. Each study's
-/// runs are those of `run_all`.
+/// Several studies, one after the other, through one pool of workers: one that finds no run of a study left goes on to
+/// the next study, unless runs are timed. Equal runs of two studies are made once where `finished` keeps them. Each
+/// study's runs are those of `run_all`.
 class Engine {
 public:
     Engine(std::vector<const Study*> studies, EngineOptions options);

@@ -24,6 +24,7 @@ std::string text_of(Fault fault) {
                                   "stalled",
                                   "diverges",
                                   "error_too_large",
+                                  "value_off",
                                   "published_differs",
                                   "expects_nothing",
                                   "no_such_series",

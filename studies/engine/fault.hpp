@@ -24,6 +24,7 @@ enum class Fault {
     stalled,
     diverges,
     error_too_large,
+    value_off,  ///< a number that is no error is outside its band
     published_differs,
     expects_nothing,   ///< the study holds its runs to nothing
     no_such_series,    ///< an expectation that no series can show

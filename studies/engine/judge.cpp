@@ -95,6 +95,13 @@ Verdict overall(const std::vector<Check>& checks) {
 
 }  // namespace
 
+bool admits(const Expectation& expectation, const Run& run) {
+    return std::ranges::all_of(expectation.where,
+                               [&](const Condition& condition) { return condition.holds(run.axis(condition.axis)); });
+}
+
+std::string range_text(const std::vector<Condition>& where) { return where.empty() ? "" : " where " + text_of(where); }
+
 bool speaks_of(const Expectation& expectation, const std::string& quantity, const std::string& solver) {
     const auto admits = [](const std::vector<std::string>& names, const std::string& name) {
         return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
@@ -118,6 +125,7 @@ std::string as_printed(const std::string& printed, double value) {
 std::vector<SeriesFit> fits_of(const Study& study, const std::vector<Run>& runs, const std::vector<Series>& series) {
     std::vector<SeriesFit> fits;
     for (const auto& quantity : study.measure.quantities) {
+        if (is_value(quantity.norm)) continue;
         for (const auto& line : series) {
             const auto& solver = run_of(runs, line.runs.front()).solver;
             for (const auto& range : ranges_of(study, quantity.key(), solver, line.abscissa))

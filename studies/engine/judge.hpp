@@ -25,6 +25,12 @@ bool speaks_of(const Expectation& expectation, const std::string& quantity, cons
 /// Whether an order is expected along this abscissa: the one that it names, or any that is no counted work.
 bool speaks_along(const Expectation& expectation, const std::string& abscissa);
 
+/// Whether the run lies in the range that the expectation is about.
+bool admits(const Expectation& expectation, const Run& run);
+
+/// " where cells <= 32"; "" for no condition.
+std::string range_text(const std::vector<Condition>& where);
+
 /// The verdicts: every run ended, each expectation on each series, each published table.
 std::vector<Check> checks_of(const Result& result);
 

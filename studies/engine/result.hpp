@@ -48,9 +48,9 @@ struct Run {
     std::vector<RunFigure> drift;
     std::vector<RunFigure> work;
     std::vector<RunFigure> skipped;  ///< work that it did not have to do, and its share of the whole
-    double seconds = 0;  ///< thread time of the solver, without measuring; volatile, belongs to provenance
+    double seconds = 0;              ///< thread time of the solver, without measuring; volatile, belongs to provenance
     std::optional<Repeats> repeats = {};  ///< where `seconds` is the median of a run that was timed by itself
-    Origin origin = Origin::made;    ///< likewise
+    Origin origin = Origin::made;         ///< likewise
 
     double axis(const std::string& name) const;  ///< swept value, or h, or dt (as taken); NaN when it has none
     /// The same, or what it counted, or one over either: "delta", "chop_outs", "1/ppc"; NaN when it has none.

@@ -6,6 +6,7 @@
 
 #include "studies/engine/measure.hpp"
 #include "studies/engine/thread_time.hpp"
+#include "studies/amplification/figures.hpp"
 
 namespace ordo::studies {
 namespace {
@@ -101,6 +102,10 @@ bool finite(const solvers::Snapshot& shot, std::string& which) {
 
 void run_to_end(const RunSpec& spec, const Parts& parts, const solvers::Interrupt& interrupt, RunClock& clock,
                 RunOutcome& outcome) {
+    if (spec.measure.stability) {
+        const Timed timed{outcome.run.seconds, clock};
+        return find_stability(spec, parts, interrupt, outcome.run);
+    }
     const SceneEntry& scene = parts.scene(spec.scene.name);
     const auto& solver = parts.solver(spec.solver.name);
     const auto problem = scene.problem(spec.scene.values);

@@ -19,8 +19,9 @@ struct RunSpec {
     Measure measure;
     std::optional<double> timeout_s;
     solvers::Plan plan;
-    double t_end = 0;  ///< [s], from `measure` and the planned dt
-    double cost = 0;   ///< planned particle-steps
+    double courant = 0;  ///< of a study of stability, where the sweep gives one
+    double t_end = 0;    ///< [s], from `measure` and the planned dt
+    double cost = 0;     ///< planned particle-steps
 };
 
 /// What a run leaves: its figures, and its last snapshot where another run will be compared with it.

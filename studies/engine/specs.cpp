@@ -59,6 +59,8 @@ RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& poi
     const auto& solver = solvers::solver_named(choice.name, "");
     Given given;
     for (const auto& [name, value] : point) given.emplace(name, value);
+    const auto& stability = study.measure.stability;
+    if (stability) given.emplace("courant", 1.0);
     const std::string where = study.name + ": run " + choice.label + ", " + text_of_point(point);
     RunSpec spec;
     spec.scene = study.scene;
@@ -74,6 +76,14 @@ RunSpec spec_of(const Study& study, const SolverChoice& choice, const Point& poi
     }
     if (study.measure.until != Until::exact && !takes_steps(solver))
         throw InputError(where, "solver " + solver.name + " takes no steps, so measure.until must be exact");
+    if (stability) {
+        const auto swept = std::ranges::find(point, "courant", &RunFigure::name);
+        spec.courant = swept == point.end() ? 0 : swept->value;
+        spec.t_end = stability->crossings * spec.plan.dt / spec.resolution.number("courant");
+        constexpr double runs = 30;  // of a search
+        spec.cost = spec.plan.points * stability->crossings * (swept == point.end() ? runs : 1);
+        return spec;
+    }
     const double steps = study.measure.until == Until::steps ? study.measure.at : study.measure.at / spec.plan.dt;
     if (!(steps < most_steps)) throw InputError(where, "asks for more than " + shortest(most_steps) + " steps");
     spec.t_end = end_time(study.measure, spec.plan.dt);

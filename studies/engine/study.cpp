@@ -13,11 +13,13 @@ const std::vector<std::string>& norm_names() {
     return names;
 }
 
-std::string text_of(Norm norm) { return norm_names().at(static_cast<std::size_t>(norm)); }
+std::string text_of(Norm norm) { return is_value(norm) ? "value" : norm_names().at(static_cast<std::size_t>(norm)); }
 
 bool is_part(Norm norm) { return norm == Norm::l1_near || norm == Norm::l1_away; }
 
-bool is_about_waves(Norm norm) { return norm > Norm::linf && !is_part(norm); }
+bool is_about_waves(Norm norm) { return norm == Norm::l1_fans || is_place(norm); }
+
+bool is_value(Norm norm) { return norm == Norm::value; }
 
 bool is_place(Norm norm) { return norm == Norm::shock || norm == Norm::contact || norm == Norm::fan_edge; }
 
@@ -47,6 +49,7 @@ std::string text_of(Compare compare) {
 }
 
 std::string Quantity::key() const {
+    if (is_value(norm)) return field;
     return field + "." + text_of(norm) + (undeformed ? ".undeformed" : "") + (maximum ? ".max" : "") +
            (against == Against::finest   ? "@finest"
             : against == Against::itself ? "@itself"

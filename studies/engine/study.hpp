@@ -43,8 +43,9 @@ enum class Until { exact, accumulated, steps };
 enum class Against { exact, finest, itself };
 /// Over points, or over cells where a snapshot has them: rms to linf. Where the waves of a line are off their places:
 /// shock, contact, fan_edge. l1_fans is l1 over the middle half of every fan, away from its corners; l1_near and
-/// l1_away are the parts of l1 near the waves, points or cells alike, and away from them.
-enum class Norm { rms, l1, l2, linf, l1_fans, shock, contact, fan_edge, l1_near, l1_away };
+/// l1_away are the parts of l1 near the waves, points or cells alike, and away from them. value: no error but a number
+/// that has a name of its own, which a run may lack.
+enum class Norm { rms, l1, l2, linf, l1_fans, shock, contact, fan_edge, l1_near, l1_away, value };
 
 /// One error figure that every run is asked for. `maximum` is over the ends of all steps instead of the last one.
 struct Quantity {
@@ -60,8 +61,19 @@ struct Quantity {
     bool operator==(const Quantity&) const = default;
 };
 
+/// How the stability of a scheme is asked for; what for is in the quantities of norm `value`.
+struct Stability {
+    double crossings = 1000;  ///< length of a run: cells that a wave crosses, whatever the step
+    double from = 0.1;        ///< bracket of Courant numbers
+    double to = 4;
+    double tolerance = 1e-3;  ///< of a Courant number
+    double growth = 10;       ///< of the norm, over its largest at the lower end of the bracket, that is too much
+    bool as_scene = false;    ///< the scene's own motion and loads; else a body at rest with noise of 1e-9 c
+};
+
 struct Measure {
-    double at = 0;  ///< time [s]; number of steps where until is `steps`
+    std::optional<Stability> stability = {};  ///< then `at` is not asked for
+    double at = 0;                            ///< time [s]; number of steps where until is `steps`
     Until until = Until::exact;
     std::vector<std::string> fields;
     std::vector<Quantity> quantities;  ///< fields x norms x against
@@ -81,11 +93,12 @@ struct Condition {
 
 /// A claim that the gate holds the runs to, with its source.
 struct Expectation {
-    enum class Kind { order, error_at_most, exact_within };
+    enum class Kind { order, error_at_most, exact_within, value, agreement };
 
     Kind kind = Kind::order;
-    double value = 0;                     ///< the order, or the bound in the field's unit
-    double within = 0;                    ///< half-width of the band around an order
+    double value = 0;                     ///< the order, the value, or the bound in the field's unit
+    double within = 0;                    ///< half-width of the band around an order, a value or another quantity
+    std::string other = {};               ///< quantity that an agreement is with
     std::string theory = {};              ///< where the order is the expected one, what it follows from; else empty
     std::string may_exceed = {};          ///< why an order above the band passes too; empty: it does not
     int levels = 0;                       ///< an order needs at least so many in its fit; 0: as many as any fit
@@ -151,6 +164,9 @@ bool is_about_waves(Norm norm);
 
 /// l1_near or l1_away: needs the waves of the exact solution, and how far from them `near` ends.
 bool is_part(Norm norm);
+
+/// No error: nothing is fitted to it, and a run may lack it.
+bool is_value(Norm norm);
 
 /// shock, contact or fan_edge: an error that is a distance.
 bool is_place(Norm norm);

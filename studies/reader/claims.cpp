@@ -74,10 +74,21 @@ bool order_follows(const Node& node) {
     return true;
 }
 
-/// What an order is held to besides its value.
-void read_band(const Node& node, bool order, Expectation& expectation) {
-    if (order) expectation.within = positive_number(node.at("within"));
-    for (const std::string member : {"within", "may_exceed", "levels"}) {
+/// The other number that a number of the same run is held to.
+void read_other(const Node& node, const Study& study, Expectation& expectation) {
+    node.at("agrees_with").one_of(quantity_keys(study));
+    expectation.other = node.at("agrees_with").text();
+}
+
+bool is_about_number(const Expectation& expectation) {
+    return expectation.kind == Expectation::Kind::value || expectation.kind == Expectation::Kind::agreement;
+}
+
+/// What an order or a number is held to besides its value.
+void read_band(const Node& node, bool order, bool number, Expectation& expectation) {
+    if (order || number) expectation.within = positive_number(node.at("within"));
+    else if (node.has("within")) node.at("within").refuse("belongs to 'order', 'value' and 'agrees_with' only");
+    for (const std::string member : {"may_exceed", "levels"}) {
         if (!order && node.has(member)) node.at(member).refuse("belongs to 'order' only");
     }
     if (node.has("may_exceed")) {
@@ -92,21 +103,24 @@ void read_band(const Node& node, bool order, Expectation& expectation) {
 }
 
 Expectation expectation_from(const Node& node, const Study& study) {
-    static const std::array<std::string, 3> kinds{"order", "error_at_most", "exact_within"};
-    node.only({"order", "within", "may_exceed", "levels", "error_at_most", "exact_within", "against", "where", "of",
-               "solver", "source"});
+    static const std::array<std::string, 5> kinds{"order", "error_at_most", "exact_within", "value", "agrees_with"};
+    node.only({"order", "within", "may_exceed", "levels", "error_at_most", "exact_within", "value", "agrees_with",
+               "against", "where", "of", "solver", "source"});
     Expectation expectation;
     int claims = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         if (!node.has(kinds[k])) continue;
         ++claims;
         expectation.kind = static_cast<Expectation::Kind>(k);
-        if (k > 0) expectation.value = positive_number(node.at(kinds[k]));
+        if (expectation.kind == Expectation::Kind::agreement) read_other(node, study, expectation);
+        else if (expectation.kind == Expectation::Kind::value) expectation.value = node.at(kinds[k]).number();
+        else if (k > 0) expectation.value = positive_number(node.at(kinds[k]));
         else if (!order_follows(node)) expectation.value = node.at(kinds[k]).number();
     }
-    if (claims != 1) node.refuse("must hold exactly one of: order, error_at_most, exact_within");
+    if (claims != 1) node.refuse("must hold exactly one of: order, error_at_most, exact_within, value, agrees_with");
     const bool order = expectation.kind == Expectation::Kind::order;
-    read_band(node, order, expectation);
+    const bool number = is_about_number(expectation);
+    read_band(node, order, number, expectation);
     expectation.against = against_from(node, study, order);
     if (node.has("where")) {
         for (const auto& item : node.at("where").items()) expectation.where.push_back(condition_from(item, study));
@@ -123,9 +137,17 @@ Expectation expectation_from(const Node& node, const Study& study) {
             expectation.solvers.push_back(item.text());
         }
     }
+    if (number && expectation.quantities.empty()) {
+        if (study.measure.quantities.size() != 1) node.refuse("must name in 'of' what has that value");
+        expectation.quantities.push_back(study.measure.quantities.front().key());
+    }
     for (const auto& quantity : study.measure.quantities) {
         const auto& spoken = expectation.quantities;
         const bool named = spoken.empty() || std::find(spoken.begin(), spoken.end(), quantity.key()) != spoken.end();
+        if (named && number != is_value(quantity.norm))
+            node.refuse("'" + quantity.key() + "' is " +
+                        (number ? "an error, which has no value to hold it to (nearest: error_at_most)"
+                                : "no error but a number (nearest: value, agrees_with)"));
         if (!order && named && quantity.against == Against::itself)
             node.refuse("bounds '" + quantity.key() + "', which is no error; name errors in 'of'");
     }

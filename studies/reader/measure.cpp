@@ -128,6 +128,7 @@ std::vector<std::string> orders_against_from(const Node& node, const Study& stud
 }  // namespace
 
 Measure measure_from(const Node& node, const Study& study) {
+    if (node.has("stability")) return stability_from(node, study);
     node.only({"at", "until", "fields", "norms", "over", "volume", "against", "near", "orders_against"});
     Measure measure;
     read_end(node, study, measure);

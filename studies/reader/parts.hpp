@@ -19,6 +19,9 @@ Sweep sweep_from(const Node& node, const std::vector<SolverChoice>& choices, con
 /// What is measured, when, and against what; fields and norms must be there to measure.
 Measure measure_from(const Node& node, const Study& study);
 
+/// What is asked of stability, in the place of what is measured; a figure of one Courant number needs that axis.
+Measure stability_from(const Node& node, const Study& study);
+
 /// The expectations; conditions must name swept axes, quantities must be measured.
 std::vector<Expectation> expectations_from(const Node& node, const Study& study);
 

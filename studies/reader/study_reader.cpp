@@ -109,6 +109,7 @@ std::vector<SolverChoice> all_solvers_from(const Node& node, const SceneChoice& 
 /// Finer levels may be skipped where each run is in one line only, whose coarse runs say all that it is judged by.
 bool stops_when_decided(const Node& node, const Study& study) {
     node.one_of({"when_decided"});
+    if (study.measure.stability) node.refuse("is for errors that fall with h, but the study measures stability");
     if (study.sweep.path == Path::grid) node.refuse("needs one line through each run, but path 'grid' has two");
     if (!study.measure.orders_against.empty()) node.refuse("does not go together with measure.orders_against");
     const auto exact = [](const Quantity& quantity) { return quantity.against == Against::exact; };

@@ -1,4 +1,5 @@
-// Vibrating bar: an elastic bar along x, fixed at one end or at both, starts unstressed with a sine of velocity.
+// Vibrating bar: an elastic bar along x, fixed at one end or at both, or periodic, starts unstressed with a sine of
+// velocity.
 // The oldest error tables of MPM are about it. Its truth is exact at any strain for the law E(F-1); for the other two
 // the difference is O(strain^2) and independent of the mesh.   [WobbesTielen2015], [MPMtry]
 #include "oracles/bars/bar_vibration.hpp"
@@ -17,9 +18,12 @@ using solvers::Face;
 using solvers::Vec;
 
 solvers::Scene problem(const Values& values) {
-    const bool free_end = values.word("ends") == "fixed_free";
+    const std::string ends = values.word("ends");
     const double L = values.number("L");
-    const double quarter_waves = free_end ? 2 * values.whole("mode") - 1 : 2 * values.whole("mode");
+    const int mode = values.whole("mode");
+    const double quarter_waves = ends == "fixed_free" ? 2 * mode - 1 : ends == "fixed_fixed" ? 2 * mode : 4 * mode;
+    const Face lower = ends == "periodic" ? Face::periodic : Face::fixed;
+    const Face upper = ends == "fixed_free" ? Face::free : lower;
     const double v0 = values.number("v0");
     const auto sine = [=](double X, double) { return v0 * std::sin(quarter_waves * std::numbers::pi / 2 * X / L); };
     return solvers::SolidScene<1>{
@@ -28,7 +32,7 @@ solvers::Scene problem(const Values& values) {
         .rho = values.number("rho"),
         .law = solvers::make_law(values.word("law"),
                                  {.lambda = 0, .mu = youngs_modulus(values, 100, "scene bar_vibration") / 2}),
-        .faces = {{{Face::fixed, free_end ? Face::free : Face::fixed}}},
+        .faces = {{{lower, upper}}},
         .velocity = along_x(sine)};
 }
 
@@ -42,14 +46,15 @@ oracles::Exact truth(const Values& values) {
     return oracles::bar_vibration().bind(Values(given));
 }
 
-const bool enrolled = enrol({.name = "bar_vibration",
-                             .about = "Elastic bar, fixed at one end or at both, started with a sine of velocity",
-                             .source = {"WobbesTielen2015", "MPMtry"},
-                             .units = "SI",
-                             .parameters = parameters(),
-                             .oracle = "bar_vibration",
-                             .problem = problem,
-                             .truth = truth});
+const bool enrolled =
+    enrol({.name = "bar_vibration",
+           .about = "Elastic bar, fixed at one end or at both or periodic, started with a sine of velocity",
+           .source = {"WobbesTielen2015", "MPMtry"},
+           .units = "SI",
+           .parameters = parameters(),
+           .oracle = "bar_vibration",
+           .problem = problem,
+           .truth = truth});
 
 }  // namespace
 }  // namespace ordo::studies

@@ -77,10 +77,12 @@ Filled fill_at_points(const Grid<dim>& grid, std::span<const Vec<dim>> x, std::s
     }
 }
 
+namespace {
+
 template <int dim>
-Filled fill(const Grid<dim>& grid, const Options& options, Particles<dim>& p, Stencils<dim>& stencils) {
+Filled fill_at(const Grid<dim>& grid, const Options& options, std::span<const Vec<dim>> x, Particles<dim>& p,
+               Stencils<dim>& stencils) {
     const bool total = options.frame == Frame::total;
-    const std::span<const Vec<dim>> x = total ? p.X : p.x;
     const std::span<Cell<dim>> cell = p.cell;
     const auto rows = [&](auto&& add) { return fill_rows(grid, x, cell, stencils, add); };
     switch (options.basis) {
@@ -113,6 +115,19 @@ Filled fill(const Grid<dim>& grid, const Options& options, Particles<dim>& p, St
         }
         default: return fill_at_points(grid, x, cell, stencils);
     }
+}
+
+}  // namespace
+
+template <int dim>
+Filled fill(const Grid<dim>& grid, const Options& options, Particles<dim>& p, Stencils<dim>& stencils) {
+    const std::span<const Vec<dim>> x = options.frame == Frame::total ? p.X : p.x;
+    if (!grid.is_periodic()) return fill_at(grid, options, x, p, stencils);
+    std::vector<Vec<dim>> inside(x.begin(), x.end());
+    for (auto& place : inside) place = grid.folded(place);
+    const Filled filled = fill_at<dim>(grid, options, inside, p, stencils);
+    stencils.rename([&](int i) { return grid.image(i); });
+    return filled;
 }
 
 template Filled fill_at_points(const Grid<1>&, std::span<const Vec<1>>, std::span<Cell<1>>, Stencils<1>&);

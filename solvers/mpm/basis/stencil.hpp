@@ -27,6 +27,12 @@ public:
     }
     void close_row() { end_.push_back(node_.size()); }
 
+    /// Every node is replaced by `image` of it.
+    template <class Image>
+    void rename(Image&& image) {
+        for (int& node : node_) node = image(node);
+    }
+
     /// visit(node, w, grad_w) for each entry of row p; grad_w may be changed by a visitor that takes it by reference.
     template <class Visit>
     void row(std::size_t p, Visit&& visit) const {

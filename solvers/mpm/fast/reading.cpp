@@ -14,7 +14,7 @@ bool serves(const SolidScene<dim>& scene, const Options& o) {
     const bool forces = !o.stress_from_F && !o.last_particle_loaded && o.body_force != BodyForce::nodes &&
                         !(scene.damping && o.stress_update == StressUpdate::usf);
     return o.kernel != Kernel::readable && rates && basis && plain && forces && !o.composed() &&
-           o.stress_update != StressUpdate::usavg && !scene.face_velocity;
+           o.stress_update != StressUpdate::usavg && !scene.face_velocity && !any_face(scene, Face::periodic);
 }
 
 template <int dim>

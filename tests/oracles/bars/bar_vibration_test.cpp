@@ -1,5 +1,6 @@
 #include "oracles/bars/bar_vibration.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -16,10 +17,17 @@ using namespace ordo::oracles::gate::vibration;
 
 namespace {
 
+constexpr std::array all_ends{BarVibration::Ends::fixed_free, BarVibration::Ends::fixed_fixed,
+                              BarVibration::Ends::periodic};
+
+std::string word_of(BarVibration::Ends ends) {
+    return std::array{"fixed_free", "fixed_fixed", "periodic"}.at(static_cast<std::size_t>(ends));
+}
+
 /// Default and off-default bars: soft, steel in SI, short and heavy, with a negative amplitude.
 std::vector<BarVibration> bars() {
     std::vector<BarVibration> list;
-    for (const auto ends : {BarVibration::Ends::fixed_free, BarVibration::Ends::fixed_fixed}) {
+    for (const auto ends : all_ends) {
         for (const int mode : {1, 2, 3, 7, 40}) {
             list.push_back({.mode = mode, .ends = ends});
             list.push_back({.L = 0.3, .E = 2.1e11, .rho = 7850, .v0 = -3, .mode = mode, .ends = ends});
@@ -30,13 +38,12 @@ std::vector<BarVibration> bars() {
 }
 
 std::string names_of(const BarVibration& bar) {
-    return (bar.ends == BarVibration::Ends::fixed_free ? "fixed_free, mode " : "fixed_fixed, mode ") +
-           std::to_string(bar.mode) + ", L = " + std::to_string(bar.L);
+    return word_of(bar.ends) + ", mode " + std::to_string(bar.mode) + ", L = " + std::to_string(bar.L);
 }
 
 Exact bound(const BarVibration& bar) {
     const Oracle oracle = bar_vibration();
-    const std::string ends = bar.ends == BarVibration::Ends::fixed_free ? "fixed_free" : "fixed_fixed";
+    const std::string ends = word_of(bar.ends);
     const Given given{{"L", bar.L},  {"E", bar.E}, {"rho", bar.rho}, {"v0", bar.v0}, {"mode", double(bar.mode)},
                       {"ends", ends}};
     return oracle.bind(resolve(oracle.parameters, given, "", "bar_vibration"));
@@ -72,8 +79,25 @@ TEST_CASE("bar_vibration: equation, derivatives, boundary and initial data, peri
     }
 }
 
+TEST_CASE("bar_vibration: a periodic bar goes on at its end as it began, and an odd mode between walls does not",
+          "[gate]") {
+    for (const int mode : {1, 2, 3, 7, 40}) {
+        for (const auto ends : {BarVibration::Ends::periodic, BarVibration::Ends::fixed_fixed}) {
+            const BarVibration bar{.L = 0.3, .E = 2.1e11, .rho = 7850, .v0 = -3, .mode = mode, .ends = ends};
+            const double t = 0.2 / bar.frequency();
+            const double largest = std::abs(bar.strain(0, t));
+            // 2 ulp times 1 + k L + omega t, as stated.
+            const double allowed = 4.5e-16 * (2 + bar.wave_number() * bar.L) * largest;
+            const double gap = std::abs(bar.strain(bar.L, t) - bar.strain(0, t));
+            const bool goes_on = ends == BarVibration::Ends::periodic || mode % 2 == 0;
+            CHECK((goes_on ? gap <= allowed : gap > largest));
+            CHECK(std::abs(bar.velocity(bar.L, t)) <= 4.5e-16 * (2 + bar.wave_number() * bar.L) * 3);
+        }
+    }
+}
+
 TEST_CASE("bar_vibration: the stated accuracy holds up to the highest mode", "[gate]") {
-    for (const auto ends : {BarVibration::Ends::fixed_free, BarVibration::Ends::fixed_fixed}) {
+    for (const auto ends : all_ends) {
         const Motion motion = motion_of({.L = 0.7, .E = 3, .rho = 1.3, .mode = 1000, .ends = ends});
         CHECK(boundary_data(motion).holds());
         CHECK(initial_data(motion).holds());
@@ -84,7 +108,7 @@ TEST_CASE("bar_vibration: the stated accuracy holds up to the highest mode", "[g
 TEST_CASE("bar_vibration: the catalogue binds the same numbers to the same bits", "[gate]") {
     const Oracle& oracle = oracle_named("bar_vibration", "");
     for (const auto& bar : bars()) {
-        const std::string ends = bar.ends == BarVibration::Ends::fixed_free ? "fixed_free" : "fixed_fixed";
+        const std::string ends = word_of(bar.ends);
         const Given given{{"L", bar.L},  {"E", bar.E}, {"rho", bar.rho}, {"v0", bar.v0}, {"mode", double(bar.mode)},
                           {"ends", ends}};
         const Exact exact = oracle.bind(resolve(oracle.parameters, given, "", "bar_vibration"));
@@ -203,7 +227,9 @@ TEST_CASE("bar_vibration: random bars keep their energy at every point of phase"
                          .rho = random.log_uniform(1 / decades, decades),
                          .v0 = random.uniform(-3, 3),
                          .mode = random.coin() ? random.whole(1, 1000) : random.whole(1, 5),
-                         .ends = random.coin() ? BarVibration::Ends::fixed_free : BarVibration::Ends::fixed_fixed};
+                         .ends = random.coin()   ? BarVibration::Ends::fixed_free
+                                 : random.coin() ? BarVibration::Ends::fixed_fixed
+                                                 : BarVibration::Ends::periodic};
         try {
             const Exact exact = bound(bar);
             const double t = random.log_uniform(1e-3, 1e6) / bar.frequency();
