@@ -71,7 +71,7 @@ MaterialPoint<1> BarMms::Moment::at(double X) const {
     const double in_space = sin_pi(X / L);
     const double here = u * in_space;
     const double strain = H * cos_pi(X / L);
-    const double ln_F = std::log1p(strain);
+    const double ln_F = law.lambda == 0 ? 0 : std::log1p(strain);
     const double P = law.kirchhoff(strain, ln_F) / (1 + strain);
     const double b = (pi / L) * (pi / L) * here * ((wave_excess + law.hardening(strain, ln_F)) / rho);
     return {.u = {here}, .v = {v * in_space}, .stress = {P}, .strain = {strain}, .b = {b}, .F = {1 + strain}, .P = {P}};

@@ -13,6 +13,14 @@ void BandedMatrix::reset(int size, int bandwidth) {
     rows_.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(bandwidth + 1), 0.0);
 }
 
+void BandedMatrix::add_product(int first, std::span<const double> w, double factor) {
+    for (std::size_t a = 0; a < w.size(); ++a) {
+        const double share = factor * w[a];
+        double* row = &rows_[index(first + static_cast<int>(a), first)];
+        for (std::size_t b = 0; b <= a; ++b) row[b] += share * w[b];
+    }
+}
+
 void BandedMatrix::isolate(int i) {
     for (int j = std::max(0, i - band_); j < i; ++j) rows_[index(i, j)] = 0;
     for (int j = i + 1; j <= std::min(size_ - 1, i + band_); ++j) rows_[index(j, i)] = 0;
@@ -48,23 +56,28 @@ void BandedMatrix::solve(std::span<double> x) const {
     }
     for (int i = size_ - 1; i >= 0; --i) {
         at(i) /= rows_[index(i, i)];
-        for (int j = i + 1; j <= std::min(size_ - 1, i + band_); ++j) at(i) -= rows_[index(j, i)] * at(j);
+        // The one found last comes last: it is what the sum waits for.
+        for (int j = std::min(size_ - 1, i + band_); j > i; --j) at(i) -= rows_[index(j, i)] * at(j);
     }
 }
 
 namespace {
+
+bool consecutive(std::span<const int> nodes) {
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+        if (nodes[k] != nodes[k - 1] + 1) return false;
+    }
+    return !nodes.empty();
+}
 
 /// How far apart in number two nodes may lie that one point touches.
 template <int dim>
 int reach(const Stencils<dim>& stencils) {
     int widest = 0;
     for (std::size_t p = 0; p < stencils.points(); ++p) {
-        int first = -1;
-        int last = -1;
-        stencils.row(p, [&](int i, double, const Vec<dim>&) {
-            first = first < 0 ? i : std::min(first, i);
-            last = std::max(last, i);
-        });
+        const auto nodes = stencils.nodes(p);
+        if (nodes.empty()) continue;
+        const auto [first, last] = std::ranges::minmax(nodes);
         widest = std::max(widest, last - first);
     }
     return widest;
@@ -82,6 +95,11 @@ void MassMatrix<dim>::assemble(const Grid<dim>& grid, const Stencils<dim>& stenc
     if (kind_ == Mass::lumped && !series_) return;
     M_.reset(grid.nodes(), reach(stencils));
     for (std::size_t p = 0; p < stencils.points(); ++p) {
+        const auto nodes = stencils.nodes(p);
+        if (consecutive(nodes)) {
+            M_.add_product(nodes.front(), stencils.weights(p), m[p]);
+            continue;
+        }
         stencils.row(p, [&](int i, double w_i, const Vec<dim>&) {
             const double share = m[p] * w_i;
             stencils.row(p, [&](int j, double w_j, const Vec<dim>&) {

@@ -13,6 +13,8 @@ class BandedMatrix {
 public:
     void reset(int size, int bandwidth);  ///< zero, with `bandwidth` diagonals below the main one
     void add(int i, int j, double value) { rows_[index(i, j)] += value; }  ///< i >= j
+    /// M_{first + a, first + b} += factor w_a w_b; as many as the band holds.
+    void add_product(int first, std::span<const double> w, double factor);
     double at(int i, int j) const {
         return i - j > band_ || j - i > band_ ? 0 : rows_[i >= j ? index(i, j) : index(j, i)];
     }

@@ -16,21 +16,30 @@ struct Spline {
 
     /// At the local coordinate xi of `cell`; outside [0, 1] the cell's polynomials go on.
     Spline(int cell, double xi, int cells) {
-        const auto knot = [&](int j) { return std::clamp(cell + j, 0, cells) - cell; };
+        const bool amid = cell >= degree - 1 && cell <= cells - degree;  // no repeated knot is felt
+        if (amid) evaluate(xi, [](int j) { return j; });
+        else evaluate(xi, [=](int j) { return std::clamp(cell + j, 0, cells) - cell; });
+    }
+
+private:
+    /// knot(j): j knots after the cell's first. Where it is j itself all widths are known to the compiler.
+    template <class Knot>
+    void evaluate(double xi, Knot knot) {
         std::array<double, count> lower{};
         value = {1};
+#pragma GCC unroll 4
         for (int d = 1; d <= degree; ++d) {
             lower = value;
             double carried = 0;
+#pragma GCC unroll 4
             for (int k = 0; k < d; ++k) {
-                const double left = xi - knot(k + 1 - d);
-                const double right = knot(k + 1) - xi;
-                const double part = lower[k] / (right + left);
-                value[k] = carried + right * part;
-                carried = left * part;
+                const double part = lower[k] / (knot(k + 1) - knot(k + 1 - d));
+                value[k] = carried + (knot(k + 1) - xi) * part;
+                carried = (xi - knot(k + 1 - d)) * part;
             }
             value[d] = carried;
         }
+#pragma GCC unroll 5
         for (int k = 0; k < count; ++k) {
             const double before = k == 0 ? 0 : lower[k - 1] / (knot(k) - knot(k - degree));
             const double after = k == degree ? 0 : lower[k] / (knot(k + 1) - knot(k + 1 - degree));

@@ -9,38 +9,45 @@
 
 namespace ordo::solvers::mpm {
 
-/// Weights phi with sum phi_k f(x_k) = P(at), P the polynomial of `degree` that fits f best near `at`; exact for
-/// polynomials of that degree to about 1e-13 of their size. Windows are found from those of the call before, so that
-/// rising places cost no search. The same bits whatever the instruction set.
+/// Weights phi with sum phi_p f(x_p) = P(at), P the polynomial of `degree` that fits f best near `at`; exact for
+/// polynomials of that degree to about 1e-13 of their size. Memory is kept from one fit to the next. The same bits
+/// whatever the instruction set.
 class MovingLeastSquares {
 public:
     static constexpr int highest_degree = 6;
-    static constexpr std::size_t together = 8;  ///< places of one fit, at most
 
-    /// x: rising positions.
-    MovingLeastSquares(std::span<const double> x, int degree) : x_(x), degree_(degree) {}
+    explicit MovingLeastSquares(int degree) : degree_(degree) {}
 
-    /// Windows of the given radius about some rising places, each widened until it holds `fewest` particles. False
-    /// where there are not so many, or where they do not determine a polynomial.
-    bool fit(std::span<const double> places, double radius, std::size_t fewest);
+    /// x: rising positions of the particles. places: where values are wanted; where they rise, windows cost no search.
+    /// Their windows have the given radius, widened until they hold `fewest` particles. False where there are not so
+    /// many, or where they do not determine a polynomial.
+    bool fit(std::span<const double> x, std::span<const double> places, double radius, std::size_t fewest);
 
-    /// The window about one of the places: particles `first` to `last`, one beyond.
+    /// out_k = sum_p phi_kp f_p for each place k of the last fit.
+    void sample(std::span<const double> f, std::span<double> out) const;
+
+    /// The window about a place: particles `first` to `last`, one beyond.
     struct Window {
         std::size_t first = 0, last = 0;
     };
     Window window(std::size_t place) const { return windows_[place]; }
-    /// Weight of particle p of that window.
-    double weight(std::size_t place, std::size_t p) const { return phi_[(p - low_) * together + place]; }
+    double weight(std::size_t place, std::size_t p) const;  ///< phi of particle p of that window
+
+    static constexpr std::size_t together = 8;
+    /// One number for each of the neighbouring places that are fitted together.
+    struct alignas(64) Lanes : std::array<double, together> {};
+    /// Their weights, on all particles from the first of any window to the last: 0 outside a place's own.
+    struct Group {
+        Window span;
+        std::size_t phi;  ///< where those of the span's first particle are
+    };
 
 private:
-    bool widen(Window& window, double at, double& radius, std::size_t fewest) const;
-
-    std::span<const double> x_;
     int degree_;
     InstructionSet set_ = instruction_set();
-    std::array<Window, together> windows_{};
-    std::size_t low_ = 0;      ///< first particle of any window
-    std::vector<double> phi_;  ///< of the particles from `low` on, `together` numbers each
+    std::vector<Window> windows_;
+    std::vector<Group> groups_;
+    std::vector<Lanes> phi_;
 };
 
 }  // namespace ordo::solvers::mpm

@@ -1,6 +1,7 @@
 #include "solvers/mpm/reconstruction/reconstruction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "solvers/mpm/basis/basis.hpp"
@@ -43,26 +44,27 @@ void Reconstruction1D::place(const Grid<1>& grid, const Particles<1>& particles)
     const auto behind = [](const Vec<1>& a, const Vec<1>& b) { return !(a[0] < b[0]); };
     if (std::ranges::adjacent_find(particles.x, behind) != particles.x.end() || !(grid.h > 0))
         throw Diverged("particles have passed each other");
-    points.x.clear();
-    points.volume.clear();
+    if (!std::isfinite(grid.lower[0]) || !std::isfinite(grid.h)) throw Diverged("the body left the grid");
+    const std::size_t a_cell = xi_.size();
+    const std::size_t count = a_cell * static_cast<std::size_t>(grid.cells[0]);
+    points.x.resize(count);
+    points.v.resize(count);
+    points.m.resize(count);
+    points.volume.resize(count);
+    points.sigma.resize(count);
+    rho_.resize(count);
     stretches_.clear();
-    for (int cell = 0; cell < grid.cells[0]; ++cell) {
+    for (std::size_t k = 0; k < count; k += a_cell) {
+        const auto cell = static_cast<double>(k / a_cell);
         const double from = grid.lower[0] + cell * grid.h;
         const double to = grid.lower[0] + (cell + 1) * grid.h;
         stretches_.push_back({from, to});
-        for (std::size_t k = 0; k < xi_.size(); ++k) {
-            points.x.push_back(Vec<1>(from + xi_[k] * (to - from)));
-            points.volume.push_back(weight_[k] * (to - from));
+        for (std::size_t i = 0; i < a_cell; ++i) {
+            points.x[k + i][0] = from + xi_[i] * (to - from);
+            points.volume[k + i] = weight_[i] * (to - from);
         }
     }
-    const std::size_t count = points.x.size();
-    points.m.resize(count);
-    points.v.resize(count);
-    points.sigma.resize(count);
-    rho_.resize(count);
-    cell_.assign(count, Cell<1>::Constant(nowhere));
-    if (fill_at_points<1>(grid, std::span<const Vec<1>>(points.x), cell_, stencils).rows != count)
-        throw Diverged("the body left the grid");
+    meet(grid);
 
     // Wide enough for degree + 2 particles on either side of a regular line-up, so that the fit is overdetermined by as
     // much again; two cells for impm, as published.
@@ -87,6 +89,22 @@ void Reconstruction1D::place(const Grid<1>& grid, const Particles<1>& particles)
     const double wanted = std::accumulate(particles.m.begin(), particles.m.end(), 0.0);
     const double scale = wanted / std::accumulate(points.m.begin(), points.m.end(), 0.0);
     for (double& m : points.m) m *= scale;
+}
+
+/// Points stand at the same places of every cell: S_ip is found once, on cells of width 1.
+void Reconstruction1D::meet(const Grid<1>& grid) {
+    if (on_unit_cells_.points() != points.size()) {
+        Grid<1> unit = grid;
+        unit.fit(0, grid.cells[0]);
+        std::vector<Vec<1>> x;
+        for (int cell = 0; cell < grid.cells[0]; ++cell) {
+            for (const double xi : xi_) x.push_back(Vec<1>(cell + xi));
+        }
+        std::vector<Cell<1>> cells(x.size(), Cell<1>::Constant(nowhere));
+        fill_at_points<1>(unit, std::span<const Vec<1>>(x), cells, on_unit_cells_);
+        stencils = on_unit_cells_;
+    }
+    stencils.take_gradients(on_unit_cells_, grid.h);
 }
 
 void Reconstruction1D::sample_velocity(const Particles<1>& particles) {

@@ -43,6 +43,7 @@ public:
     std::vector<Vec<1>> node_v;  ///< where node velocities are known
 
 private:
+    void meet(const Grid<1>& grid);
     void sample(std::span<const double> f, std::span<double> out);
     void sample_by_mass(const Particles<1>& particles, std::span<const Vec<1>> f, std::vector<Vec<1>>& out);
 
@@ -50,7 +51,7 @@ private:
     int degree_;
     std::variant<SplineSampler, MovingSampler, TaylorSampler> sampler_;
     std::optional<MovingSampler> at_nodes_;
-    std::vector<Cell<1>> cell_;
+    Stencils<1> on_unit_cells_;  ///< of the points, were the grid's cells as wide as 1
     std::vector<TaylorSampler::Stretch> stretches_;
     std::vector<double> nodes_;    ///< positions of the grid's nodes, where velocities are taken there
     std::vector<double> f_, rho_;  ///< scratch: a field of the particles; density at the points

@@ -30,33 +30,10 @@ void SplineSampler::sample(std::span<const double> f, std::span<double> out) {
 }
 
 void MovingSampler::prepare(const Layout& layout, double radius) {
-    MovingLeastSquares mls(layout.x, degree_);
     const auto fewest = static_cast<std::size_t>(degree_ == 1 ? 2 : degree_ + 2);
-    first_.clear();
-    end_.clear();
-    phi_.clear();
-    for (std::size_t from = 0; from < layout.places.size(); from += mls.together) {
-        const auto places = layout.places.subspan(from, std::min(mls.together, layout.places.size() - from));
-        if (!mls.fit(places, radius, fewest)) {
-            for (const double& at : places) {
-                if (!mls.fit(std::span(&at, 1), radius, fewest)) too_few(at);
-            }
-        }
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto [first, last] = mls.window(k);
-            first_.push_back(first);
-            for (std::size_t p = first; p < last; ++p) phi_.push_back(mls.weight(k, p));
-            end_.push_back(phi_.size());
-        }
-    }
-}
-
-void MovingSampler::sample(std::span<const double> f, std::span<double> out) const {
-    std::size_t k = 0;
-    for (std::size_t place = 0; place < end_.size(); ++place) {
-        double sum = 0;
-        for (std::size_t p = first_[place]; k < end_[place]; ++k, ++p) sum += phi_[k] * f[p];
-        out[place] = sum;
+    if (mls_.fit(layout.x, layout.places, radius, fewest)) return;
+    for (const double& at : layout.places) {
+        if (!mls_.fit(layout.x, std::span(&at, 1), radius, fewest)) too_few(at);
     }
 }
 

@@ -26,17 +26,16 @@ private:
     CubicSpline spline_;
 };
 
-/// By moving least squares: the weights are kept.
+/// By moving least squares, within a radius.
 class MovingSampler {
 public:
-    explicit MovingSampler(int degree) : degree_(degree) {}
+    explicit MovingSampler(int degree) : degree_(degree), mls_(degree) {}
     void prepare(const Layout& layout, double radius);
-    void sample(std::span<const double> f, std::span<double> out) const;
+    void sample(std::span<const double> f, std::span<double> out) const { mls_.sample(f, out); }
 
 private:
     int degree_;
-    std::vector<std::size_t> first_, end_;
-    std::vector<double> phi_;
+    MovingLeastSquares mls_;
 };
 
 /// Cell by cell, by the functions 1, xi and xi^2/2 - 1/6 on the cell from -1 to 1 about the mean that the cell's

@@ -26,8 +26,8 @@ double value(const MovingLeastSquares& mls, const std::vector<double>& x, int po
     return sum;
 }
 
-bool fit(MovingLeastSquares& mls, double at, double radius, std::size_t fewest) {
-    return mls.fit(std::span(&at, 1), radius, fewest);
+bool fit(MovingLeastSquares& mls, std::span<const double> x, double at, double radius, std::size_t fewest) {
+    return mls.fit(x, std::span(&at, 1), radius, fewest);
 }
 
 }  // namespace
@@ -35,16 +35,16 @@ bool fit(MovingLeastSquares& mls, double at, double radius, std::size_t fewest) 
 TEST_CASE("least squares: polynomials of the degree are met exactly, amid and at the ends", "[unit]") {
     const auto x = scattered();
     const int degree = GENERATE(1, 2, 3, 4, 5, 6);
-    MovingLeastSquares mls(x, degree);
+    MovingLeastSquares mls(degree);
     const auto fewest = static_cast<std::size_t>(degree + 2);
     for (const double at : {0.0, 0.1, 3.3, 5.0, 9.9, 10.0}) {
-        REQUIRE(fit(mls, at, 0.375 * (degree + 1.5), fewest));
+        REQUIRE(fit(mls, x, at, 0.375 * (degree + 1.5), fewest));
         for (int power = 0; power <= degree; ++power) {
             const double scale = std::pow(10, power);  // powers of the local coordinate would be smaller
             CHECK(std::abs(value(mls, x, power) - std::pow(at, power)) < 1e-10 * scale);
         }
     }
-    REQUIRE(fit(mls, 5.0, 0.375 * (degree + 1.5), fewest));
+    REQUIRE(fit(mls, x, 5.0, 0.375 * (degree + 1.5), fewest));
     CHECK(std::abs(value(mls, x, degree + 1) - std::pow(5, degree + 1)) > 1e-7);
 }
 
@@ -53,8 +53,8 @@ TEST_CASE("least squares: the weights are those of the normal equations, with th
     const auto x = scattered();
     const double at = 4.3;
     const double radius = 0.9;
-    MovingLeastSquares mls(x, 1);
-    REQUIRE(fit(mls, at, radius, 2));
+    MovingLeastSquares mls(1);
+    REQUIRE(fit(mls, x, at, radius, 2));
     const auto w = [&](std::size_t k) {
         const double r = std::abs(x[k] - at) / radius;
         return r <= 0.5 ? 2.0 / 3 - 4 * r * r + 4 * r * r * r
@@ -76,28 +76,85 @@ TEST_CASE("least squares: the weights are those of the normal equations, with th
 
 TEST_CASE("least squares: places may come in any order", "[unit]") {
     const auto x = scattered();
-    MovingLeastSquares in_order(x, 2), any_order(x, 2);
-    for (const double at : {9.0, 0.5, 4.0, 3.9, 9.9, 0.0}) {
-        MovingLeastSquares fresh(x, 2);
-        REQUIRE(fit(fresh, at, 1, 4));
-        REQUIRE(fit(any_order, at, 1, 4));
+    MovingLeastSquares any_order(2);
+    const std::vector<double> places{9.0, 0.5, 4.0, 3.9, 9.9, 0.0};
+    REQUIRE(any_order.fit(x, places, 1, 4));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        MovingLeastSquares fresh(2);
+        REQUIRE(fit(fresh, x, places[k], 1, 4));
         const auto [first, last] = fresh.window(0);
-        CHECK((any_order.window(0).first == first && any_order.window(0).last == last));
-        for (std::size_t p = first; p < last; ++p) CHECK(any_order.weight(0, p) == fresh.weight(0, p));
+        CHECK((any_order.window(k).first == first && any_order.window(k).last == last));
+        for (std::size_t p = first; p < last; ++p) CHECK(any_order.weight(k, p) == fresh.weight(0, p));
     }
+}
+
+TEST_CASE("least squares: a widened window has the same weights alone and beside a wider one", "[unit]") {
+    // About 9 the window is widened to 2, 10 and 11, with a radius that reaches 1; its neighbour's holds 1.
+    const std::vector<double> x{0, 1, 2, 10, 11};
+    const std::vector<double> places{1.5, 9};
+    MovingLeastSquares both(1), alone(1);
+    REQUIRE(both.fit(x, places, 1, 3));
+    REQUIRE(fit(alone, x, 9, 1, 3));
+    CHECK((both.window(1).first == 2 && both.window(1).last == 5));
+    for (std::size_t p = 2; p < 5; ++p) CHECK(both.weight(1, p) == alone.weight(0, p));
+    CHECK(both.weight(1, 1) == 0);
+    std::vector<double> out(2);
+    both.sample(x, out);
+    CHECK(out[1] == Approx(9).epsilon(1e-14));
+}
+
+TEST_CASE("least squares: one object takes other particles, more and fewer of them", "[unit]") {
+    const auto x = scattered();
+    MovingLeastSquares used(3);
+    for (const std::size_t count : {40, 12, 33}) {
+        const std::span<const double> some(x.data(), count);
+        const std::vector<double> places{0.3, 1.1, 1.9, 2.9};
+        MovingLeastSquares fresh(3);
+        REQUIRE(used.fit(some, places, 1.5, 5));
+        REQUIRE(fresh.fit(some, places, 1.5, 5));
+        std::vector<double> out(4), expected(4);
+        used.sample(some, out);
+        fresh.sample(some, expected);
+        CHECK(out == expected);
+        for (std::size_t k = 0; k < 4; ++k) CHECK(out[k] == Approx(places[k]).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("least squares: sums are those of the weights, with each set of instructions", "[unit]") {
+    const auto x = scattered();
+    std::vector<double> f, places;
+    for (const double at : x) f.push_back(std::sin(3 * at));
+    for (int k = 0; k < 19; ++k) places.push_back(0.2 + 0.5 * k);  // two groups of eight and three more
+    for (const std::string set : {"baseline", "avx2", "avx512"}) {
+        if (set == "avx2" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx2)) continue;
+        if (set == "avx512" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx512)) continue;
+        setenv("ORDO_SIMD", set.c_str(), 1);
+        MovingLeastSquares mls(4);
+        REQUIRE(mls.fit(x, places, 1.4, 6));
+        std::vector<double> out(places.size() + 1, -7);
+        mls.sample(f, std::span(out).first(places.size()));
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            double sum = 0;
+            const auto [first, last] = mls.window(k);
+            for (std::size_t p = first; p < last; ++p) sum += mls.weight(k, p) * f[p];
+            CHECK(out[k] == sum);  // outside the window 0 is added
+        }
+        CHECK(out.back() == -7);
+    }
+    unsetenv("ORDO_SIMD");
 }
 
 TEST_CASE("least squares: a window too narrow is widened to the nearest, and too few are told", "[unit]") {
     const std::vector<double> x{0, 1, 2, 10, 11};
-    MovingLeastSquares mls(x, 1);
-    REQUIRE(fit(mls, 9, 0.1, 3));
+    MovingLeastSquares mls(1);
+    REQUIRE(fit(mls, x, 9, 0.1, 3));
     CHECK((mls.window(0).first == 2 && mls.window(0).last == 5));  // 2, 10 and 11
     CHECK(value(mls, x, 0) == Approx(1));
     CHECK(value(mls, x, 1) == Approx(9));
-    CHECK_FALSE(fit(mls, 9, 0.1, 6));
+    CHECK_FALSE(fit(mls, x, 9, 0.1, 6));
     const std::vector<double> one_place(4, 2.0);
-    MovingLeastSquares coincident(one_place, 1);
-    CHECK_FALSE(fit(coincident, 2, 1, 2));  // no slope to be had
+    MovingLeastSquares coincident(1);
+    CHECK_FALSE(fit(coincident, one_place, 2, 1, 2));  // no slope to be had
 }
 
 TEST_CASE("least squares: a place has the same weights alone and beside others, with each set of instructions",
@@ -110,12 +167,12 @@ TEST_CASE("least squares: a place has the same weights alone and beside others, 
         if (set == "avx2" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx2)) continue;
         if (set == "avx512" && !ordo::solvers::has(ordo::solvers::InstructionSet::avx512)) continue;
         setenv("ORDO_SIMD", set.c_str(), 1);
-        MovingLeastSquares all(x, degree);
-        REQUIRE(all.fit(places, radius, 4));
+        MovingLeastSquares all(degree);
+        REQUIRE(all.fit(x, places, radius, 4));
         setenv("ORDO_SIMD", "baseline", 1);
         for (std::size_t k = 0; k < places.size(); ++k) {
-            MovingLeastSquares one(x, degree);
-            REQUIRE(fit(one, places[k], radius, 4));
+            MovingLeastSquares one(degree);
+            REQUIRE(fit(one, x, places[k], radius, 4));
             const auto [first, last] = one.window(0);
             REQUIRE((all.window(k).first == first && all.window(k).last == last));
             for (std::size_t p = first; p < last; ++p) CHECK(all.weight(k, p) == one.weight(0, p));

@@ -70,6 +70,38 @@ TEST_CASE("reconstruction: points fill the body from end to end, each in its cel
     CHECK((points.x.front()[0] > 0 && points.x.back()[0] < stretch));
 }
 
+TEST_CASE("reconstruction: stencils are kept while the grid stretches, and found anew with other cells", "[unit]") {
+    const auto basis = GENERATE(as<std::string>{}, "linear", "quadratic", "cubic");
+    const Options chosen = options("mls", {{"basis", basis}});
+    Bar bar(chosen);
+    const auto check = [&](const Grid<1>& grid) {
+        const auto& points = bar.rebuilt.points;
+        Stencils<1> fresh;
+        std::vector<Cell<1>> cell(points.size(), Cell<1>::Constant(nowhere));
+        REQUIRE(fill_at_points<1>(grid, std::span<const Vec<1>>(points.x), cell, fresh).rows == points.size());
+        REQUIRE(bar.rebuilt.stencils.points() == points.size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Row<1> kept(grid, bar.rebuilt.stencils, k), found(grid, fresh, k);
+            REQUIRE(kept.at.size() == found.at.size());
+            for (const auto& [i, entry] : found.at) {  // places in the cell differ by round-off of x / h
+                CHECK(kept[i].w == Approx(entry.w).margin(1e-14));
+                CHECK(kept[i].grad[0] == Approx(entry.grad[0]).margin(1e-12));
+            }
+        }
+    };
+    check(bar.grid);
+    bar.grid.fit(0.02, 1.3);
+    for (auto& x : bar.p.x) x[0] = 0.02 + 1.28 * x[0];
+    bar.rebuilt.place(bar.grid, bar.p);
+    check(bar.grid);
+    for (const int cells : {4, 7}) {
+        Grid<1> other(bar.scene, chosen, {.cells = cells, .ppc = 3, .h = 1.0 / cells, .dt = 1});
+        other.fit(0.02, 1.3);
+        bar.rebuilt.place(other, bar.p);
+        check(other);
+    }
+}
+
 TEST_CASE("reconstruction: a uniform body keeps its density and mass", "[unit]") {
     const auto kind = GENERATE(as<std::string>{}, "cubic_spline", "tls", "mls", "impm");
     INFO(kind);
