@@ -82,8 +82,8 @@ inline void Line<M>::start(int id, int L, int R, double x, double t, bool tagged
     f.end = end_between(L, R);
     f.t = f.t_0 = t;
     f.x_l = f.x_r = f.x_0 = f.x_c = x;
-    f.l = Side{};
-    if (tagged) f.r = Side{};
+    f.l.clear();
+    if (tagged) f.r.clear();
     cell(L).right = id;
     cell(R).left = id;
     if (f.end != LineEnd::Kind::reservoir) mirror_ghost(L, R);
@@ -102,7 +102,8 @@ template <class M>
 inline double Line<M>::rate_of_change(const Watched& l, const Watched& r, double w_l, double w_r, bool tagged) const {
     double change = 0;
     for (std::size_t k = 0; k < watched; ++k) {
-        if (!apart(tagged, k)) change = std::max(change, std::abs(l[k] - r[k]) * per_allowed_[k]);
+        const double of_this = apart(tagged, k) ? 0 : std::abs(l[k] - r[k]) * per_allowed_[k];
+        change = of_this > change ? of_this : change;
     }
     return change * std::sqrt(w_l * w_r);
 }

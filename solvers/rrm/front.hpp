@@ -31,6 +31,14 @@ struct Side {
     double width = 0;
     Watched sum{};
     Watched square{};
+
+    /// Nothing came in. Member by member, for that is faster than one clearing of all.
+    void clear() {
+        content = {};
+        width = 0;
+        sum = {};
+        square = {};
+    }
 };
 
 /// A disturbed interval [x_l, x_r] between two cells, as it was at time t. Its edges run at S_l and S_r into cells that

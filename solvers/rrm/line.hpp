@@ -145,7 +145,7 @@ private:
     void add_flattened(Row& row, const Front& f);
 
     // put_back.hpp: new cells, and the fronts between them
-    void put_back(int L, int R, Row row, double t, bool wraps);
+    void put_back(int L, int R, Row& row, double t, bool wraps);
     bool prescribes(int c, std::size_t side) const {
         return is_ghost(c, side) && ends_[side].kind == LineEnd::Kind::prescribed;
     }

@@ -8,7 +8,7 @@ namespace ordo::solvers::rrm {
 
 /// A row of cells between L and R, and a front at each of its borders.
 template <class M>
-void Line<M>::put_back(int L, int R, Row row, double t, bool wraps) {
+void Line<M>::put_back(int L, int R, Row& row, double t, bool wraps) {
     if (prescribes(L, 0)) clip(row, 0, L, R, t);
     if (prescribes(R, 1)) clip(row, 1, R, L, t);
     int before = L;
