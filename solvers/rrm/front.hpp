@@ -64,6 +64,8 @@ struct Front {
     Side l, r;        ///< where nothing is tagged, l holds what came from both sides
     Watched base;
 
+    /// Most are: nothing is kept apart, and no end is near.
+    bool plain() const { return !tagged && end == LineEnd::Kind::reservoir; }
     double width() const { return x_r - x_l; }
     Contents content() const { return tagged ? l.content + r.content : l.content; }
 };
