@@ -43,7 +43,7 @@ struct Side {
 
 /// A disturbed interval [x_l, x_r] between two cells, as it was at time t. Its edges run at S_l and S_r into cells that
 /// are still uniform, so the balance laws over it are exact and linear in time, whatever happens inside.
-struct Front {
+struct alignas(64) Front {  // a processor's cache line
     enum class Kind {
         fresh,  ///< born at t without width or contents: l and r hold nothing yet
         open,   ///< it has a past: l and r hold what came in until t
@@ -61,8 +61,8 @@ struct Front {
     double t_vanish;  ///< when its right cell will have no core left
     double x_0, t_0;  ///< where and when the contact was born
     double x_c, v_c;  ///< where it is at t, and how fast
-    Side l, r;        ///< where nothing is tagged, l holds what came from both sides
     Watched base;
+    Side l, r;  ///< where nothing is tagged, l holds what came from both sides
 
     /// Most are: nothing is kept apart, and no end is near.
     bool plain() const { return !tagged && end == LineEnd::Kind::reservoir; }
