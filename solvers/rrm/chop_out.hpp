@@ -66,7 +66,7 @@ Contents Line<M>::owed_by_wall(const Front& f) const {
 
 /// A front has changed as much as it may.
 template <class M>
-void Line<M>::chop_out(int id, double t) {
+[[gnu::flatten]] void Line<M>::chop_out(int id, double t) {
     ++counts_.chop_outs;
     Front& f = front(id);
     bring(f, t);
@@ -120,7 +120,7 @@ void Line<M>::untag(Front& f) const {
 /// Both fronts as one, where that costs no more than is allowed; true where they could. Fronts of no width always
 /// unite, for several events at one time are the rule in linear elasticity. What lies beyond a contact stays beyond it.
 template <class M>
-bool Line<M>::unite(int c, double t) {
+[[gnu::flatten]] bool Line<M>::unite(int c, double t) {
     const int i1 = cell(c).left;
     const int i2 = cell(c).right;
     Front& f1 = front(i1);
@@ -168,7 +168,7 @@ bool Line<M>::unite(int c, double t) {
 
 /// Both are flattened by themselves. A kept wave has no contents and is met anew.
 template <class M>
-void Line<M>::chop_both(int c, double t) {
+[[gnu::flatten]] void Line<M>::chop_both(int c, double t) {
     const int i1 = cell(c).left;
     const int i2 = cell(c).right;
     const int L = front(i1).left;

@@ -23,7 +23,7 @@ inline void Line<M>::set_speeds(Front& f, const Flow& l, const Flow& r) const {
 
 /// The speed of a contact, or of the end of the line that a front lies at.
 template <class M>
-void Line<M>::set_contact_speed(Front& f, const Flow& l, const Flow& r) const {
+[[gnu::noinline]] void Line<M>::set_contact_speed(Front& f, const Flow& l, const Flow& r) const {
     const std::size_t side = end_of(f);
     if (f.end == LineEnd::Kind::free) hurry_release(f, side);
     const Contents total = f.content();
@@ -53,7 +53,7 @@ void Line<M>::hurry_release(Front& f, std::size_t side) const {
 
 /// A wall mirrors the cell before it, in its own frame; beyond a free end is the same without pressure.
 template <class M>
-void Line<M>::mirror_ghost(int L, int R) {
+[[gnu::noinline]] void Line<M>::mirror_ghost(int L, int R) {
     const LineEnd::Kind kind = end_between(L, R);
     if (kind != LineEnd::Kind::wall && kind != LineEnd::Kind::free) return;
     const std::size_t side = is_ghost(L, 0) ? 0 : 1;
@@ -82,8 +82,8 @@ inline void Line<M>::start(int id, int L, int R, double x, double t, bool tagged
     f.end = end_between(L, R);
     f.t = f.t_0 = t;
     f.x_l = f.x_r = f.x_0 = f.x_c = x;
-    f.l = Side{};
-    if (tagged) f.r = Side{};
+    f.l.clear();
+    if (tagged) f.r.clear();
     cell(L).right = id;
     cell(R).left = id;
     if (f.end != LineEnd::Kind::reservoir) mirror_ghost(L, R);
@@ -102,7 +102,8 @@ template <class M>
 inline double Line<M>::rate_of_change(const Watched& l, const Watched& r, double w_l, double w_r, bool tagged) const {
     double change = 0;
     for (std::size_t k = 0; k < watched; ++k) {
-        if (!apart(tagged, k)) change = std::max(change, std::abs(l[k] - r[k]) * per_allowed_[k]);
+        const double of_this = apart(tagged, k) ? 0 : std::abs(l[k] - r[k]) * per_allowed_[k];
+        change = of_this > change ? of_this : change;
     }
     return change * std::sqrt(w_l * w_r);
 }
@@ -116,7 +117,7 @@ inline double Line<M>::fresh_until(const Front& f, const Watched& l, const Watch
 /// A fresh front at a wall or a free end has an inner piece only. At a wall the velocity has its mirror image, at a
 /// free end the pressure: |difference| / 2 of the half that is, and the mean of that odd field is its value there.
 template <class M>
-double Line<M>::end_until(Front& f) const {
+[[gnu::noinline]] double Line<M>::end_until(Front& f) const {
     const bool right = takes_from_right(f);
     const Watched inner = watched_of(cell(right ? f.right : f.left).f);
     const double w = right ? f.S_r - inner[1] : inner[1] - f.S_l;
@@ -138,10 +139,10 @@ inline double Line<M>::square_of_error(const Front& f, std::size_t k, const Mome
 /// Whether the flattening error of a front is more than is allowed, if it had these two sides.
 template <class M>
 inline bool Line<M>::too_much(const Front& f, const Side& l, const Side& r) const {
-    for (std::size_t k = 0; k < watched; ++k) {
-        if (square_of_error(f, k, moments(l, k), moments(r, k)) > allowed_square_[k]) return true;
-    }
-    return false;
+    bool much = false;  // of all fields, for a processor guesses badly which one is first
+    for (std::size_t k = 0; k < watched; ++k)
+        much |= square_of_error(f, k, moments(l, k), moments(r, k)) > allowed_square_[k];
+    return much;
 }
 
 /// How long until an open front has changed as much as it may.

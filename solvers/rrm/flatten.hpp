@@ -44,6 +44,15 @@ typename Line<M>::Flattened Line<M>::flattened(const Front& f) const {
 /// The same as cells at the end of a row.
 template <class M>
 inline void Line<M>::add_flattened(Row& row, const Front& f) {
+    if (!f.plain()) return add_flattened_special(row, f);
+    row.borders[at(row.n)] = f.x_l;
+    row.cells[at(row.n)] = add_cell(flat(f), f.width());
+    row.borders[at(++row.n)] = f.x_r;
+}
+
+/// The same of a front that carries a contact or lies at an end.
+template <class M>
+[[gnu::noinline]] void Line<M>::add_flattened_special(Row& row, const Front& f) {
     const auto add = [&](const State& state, double from, double to, bool tagged) {
         row.borders[at(row.n)] = from;
         row.tags[at(row.n)] = tagged;
@@ -52,7 +61,6 @@ inline void Line<M>::add_flattened(Row& row, const Front& f) {
         row.tags[at(row.n)] = false;
     };
     if (f.end == LineEnd::Kind::wall) received_ += owed_by_wall(f);
-    if (!f.tagged) return add(flat(f), f.x_l, f.x_r, false);
     const Flattened put = flattened(f);
     if (put.count == 1) return add(put.states[0], f.x_l, f.x_r, false);
     const Flow& l = put.states[0].f;

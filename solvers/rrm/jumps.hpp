@@ -41,7 +41,7 @@ enum class Toward : int { left = -1, right = 1 };
 /// `divisor`, which whoever knows it to more digits gives. Exact to round-off; behind an expansion entropy falls by
 /// O((rho - rho_0)^3).
 template <class M>
-Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward, double divisor) {
+inline Jump through_jump(const M& medium, const State& ahead, double rho, Toward toward, double divisor) {
     const auto& [q0, f0] = ahead;
     const double side = static_cast<double>(toward);
     const double v0 = 1 / f0.rho;
@@ -69,9 +69,10 @@ struct Strength {
     int jumps = 1;
 };
 
-/// The end of a wave; all its jumps, outermost first, go to `row` where one is given.
-template <class M>
-Jump through_wave(const M& medium, const State& ahead, Strength wave, Toward toward, std::vector<Jump>* row = nullptr) {
+/// The end of a wave; `each` is called with all its jumps, outermost first.
+template <class M, class Each>
+[[gnu::always_inline]] inline Jump through_jumps(const M& medium, const State& ahead, Strength wave, Toward toward,
+                                                 const Each& each) {
     const double G = medium.grueneisen();
     const int n = wave.y < 0 ? wave.jumps : 1;
     const double limit = 1 / (1 + std::max(0.0, wave.y) * G / (G + 2));  // 0 where a shock has no more density to gain
@@ -80,9 +81,21 @@ Jump through_wave(const M& medium, const State& ahead, Strength wave, Toward tow
     Jump last{ahead, 0};
     for (int i = 0; i < n; ++i) {
         last = through_jump(medium, last.behind, last.behind.f.rho * ratio, toward, divisor);
-        if (row) row->push_back(last);
+        each(last);
     }
     return last;
+}
+
+/// The end of a wave, with nothing kept of the way there: a jump stays in registers.
+template <class M>
+inline Jump through_wave(const M& medium, const State& ahead, Strength wave, Toward toward) {
+    return through_jumps(medium, ahead, wave, toward, [](const Jump&) {});
+}
+
+/// The same; all its jumps go to `row`.
+template <class M>
+Jump through_wave(const M& medium, const State& ahead, Strength wave, Toward toward, std::vector<Jump>* row) {
+    return through_jumps(medium, ahead, wave, toward, [row](const Jump& jump) { row->push_back(jump); });
 }
 
 /// Waves weaker than this are round-off of the states.
@@ -111,7 +124,7 @@ double first_strength(const M& medium, const Flow& f, double dp) {
 /// The strengths that bring two states to one pressure and one velocity, by Newton's iteration from `wave`, with the
 /// step halved where it does not help. Nothing where there is none in reach: vacuum, or strengths that no double holds.
 template <class M>
-std::optional<Meeting> met(const M& medium, const State& left, const State& right, Meeting wave) {
+[[gnu::flatten]] std::optional<Meeting> met(const M& medium, const State& left, const State& right, Meeting wave) {
     const auto ends = [&](const Meeting& w) {
         return std::pair{through_wave(medium, left, w.left, Toward::left).behind.f,
                          through_wave(medium, right, w.right, Toward::right).behind.f};

@@ -93,6 +93,8 @@ private:
     // storage.hpp: cells and fronts by number
     int add_cell(const State& state, double width);
     int add_front();
+    int one_more_cell();
+    int one_more_front();
     void release_cell(int c);
     void release_front(int f);
     void silence(int f);
@@ -143,14 +145,16 @@ private:
     State flat(const Front& f) const;
     Flattened flattened(const Front& f) const;
     void add_flattened(Row& row, const Front& f);
+    void add_flattened_special(Row& row, const Front& f);
 
     // put_back.hpp: new cells, and the fronts between them
-    void put_back(int L, int R, Row row, double t, bool wraps);
+    void put_back(int L, int R, Row& row, double t, bool wraps);
     bool prescribes(int c, std::size_t side) const {
         return is_ghost(c, side) && ends_[side].kind == LineEnd::Kind::prescribed;
     }
     void fill_up(Row& row, std::size_t side, int ghost);
     void clip(Row& row, std::size_t side, int ghost, int inner, double t);
+    bool keeps_waves(int L, int R, double x, double t, bool wraps, bool& tagged);
     void meet(int L, int R, double x, double t, bool tagged, bool wraps);
     double room(int c, double x, double t, bool on_left) const;
 

@@ -8,7 +8,7 @@ namespace ordo::solvers::rrm {
 
 /// A row of cells between L and R, and a front at each of its borders.
 template <class M>
-void Line<M>::put_back(int L, int R, Row row, double t, bool wraps) {
+inline void Line<M>::put_back(int L, int R, Row& row, double t, bool wraps) {
     if (prescribes(L, 0)) clip(row, 0, L, R, t);
     if (prescribes(R, 1)) clip(row, 1, R, L, t);
     int before = L;
@@ -22,7 +22,7 @@ void Line<M>::put_back(int L, int R, Row row, double t, bool wraps) {
 
 /// Where the outside has come in through a prescribed end, it is a cell like others, so that the end stays in place.
 template <class M>
-void Line<M>::fill_up(Row& row, std::size_t side, int ghost) {
+[[gnu::noinline]] void Line<M>::fill_up(Row& row, std::size_t side, int ghost) {
     const double place = bounds_[side];
     const double outer = side == 0 ? row.borders[0] : row.borders[at(row.n)];
     const int filled = add_cell({cell(ghost).q, cell(ghost).f}, std::abs(outer - place));
@@ -41,7 +41,7 @@ void Line<M>::fill_up(Row& row, std::size_t side, int ghost) {
 
 /// At a prescribed end the ghost is put back up to the end's place: what lies beyond it leaves the line.
 template <class M>
-void Line<M>::clip(Row& row, std::size_t side, int ghost, int inner, double t) {
+[[gnu::noinline]] void Line<M>::clip(Row& row, std::size_t side, int ghost, int inner, double t) {
     const bool left = side == 0;
     const double sign = left ? 1 : -1;
     double& outer = left ? row.borders[0] : row.borders[at(row.n)];
@@ -82,15 +82,19 @@ void Line<M>::clip(Row& row, std::size_t side, int ghost, int inner, double t) {
     last = place;
 }
 
+/// Whether two cells that meet at (x, t) send waves along; `tagged` where they should, but none were found.
+template <class M>
+[[gnu::noinline]] bool Line<M>::keeps_waves(int L, int R, double x, double t, bool wraps, bool& tagged) {
+    mirror_ghost(L, R);
+    const double space = std::min({room(L, x, t, true), room(R, wraps ? x - length_ : x, t, false), length_});
+    tagged = worth_keeping(cell(L), cell(R), space);
+    return tagged && send_waves(L, R, x, t, wraps, std::min(3 * space, length_));
+}
+
 /// Two cells meet at (x, t): waves of no width where keeping them is worth it, else a fresh front.
 template <class M>
-void Line<M>::meet(int L, int R, double x, double t, bool tagged, bool wraps) {
-    if (options_.keep == Keep::waves) {
-        mirror_ghost(L, R);
-        const double space = std::min({room(L, x, t, true), room(R, wraps ? x - length_ : x, t, false), length_});
-        tagged = worth_keeping(cell(L), cell(R), space);
-        if (tagged && send_waves(L, R, x, t, wraps, std::min(3 * space, length_))) return;
-    }
+inline void Line<M>::meet(int L, int R, double x, double t, bool tagged, bool wraps) {
+    if (options_.keep == Keep::waves && keeps_waves(L, R, x, t, wraps, tagged)) return;
     const int id = add_front();
     front(id).wraps = wraps;
     start(id, L, R, x, t, tagged);

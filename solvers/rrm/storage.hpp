@@ -8,13 +8,18 @@ template <class M>
 inline int Line<M>::add_cell(const State& state, double width) {
     int c = unused_cell_;
     if (c < 0) {
-        c = static_cast<int>(cells_.size());
-        cells_.emplace_back();
+        c = one_more_cell();
     } else {
         unused_cell_ = cell(c).left;
     }
     cell(c) = {state.q, state.f, -1, -1, width};
     return c;
+}
+
+template <class M>
+[[gnu::noinline]] int Line<M>::one_more_cell() {
+    cells_.emplace_back();
+    return static_cast<int>(cells_.size()) - 1;
 }
 
 template <class M>
@@ -24,6 +29,11 @@ inline int Line<M>::add_front() {
         unused_front_ = front(f).left;
         return f;
     }
+    return one_more_front();
+}
+
+template <class M>
+[[gnu::noinline]] int Line<M>::one_more_front() {
     fronts_.emplace_back();
     schedule_.reserve(fronts_.size());
     return static_cast<int>(fronts_.size()) - 1;
