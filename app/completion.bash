@@ -2,7 +2,7 @@
 _ordo() {
     local word="${COMP_WORDS[COMP_CWORD]}" words
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W "list run check accept history table plot oracle solve basis fit completion --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "list run check accept history table plot oracle solve stability basis fit completion --help --version" -- "$word")
         return
     fi
     case "${COMP_WORDS[1]}" in
@@ -14,7 +14,8 @@ _ordo() {
         table) words="--help --rank --format" ;;
         plot) words="--help --out --against --reach --format" ;;
         oracle) words="--help --set --t --constants --plot --format --x --grid --points --cells" ;;
-        solve) words="--help --solver --t --set --out --format" ;;
+        solve) words="--help --solver --set --t --out --format" ;;
+        stability) words="--help --solver --set --motion --crossings --from --to" ;;
         basis) words="--help --basis --show --option --cells --margin --ppc --translate --stretch --plot --format" ;;
         fit) words="--help --abscissa --error --value --formal --format" ;;
         *) words="" ;;

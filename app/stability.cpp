@@ -72,7 +72,10 @@ void tell(const Scheme& scheme, const Stability& asked, const Limit& runs, const
         else std::cout << "the norm grows";
         if (!beyond.why.empty()) std::cout << ", until " << one_line(beyond.why);
     }
-    const double limit = std::min(runs.stable, matrix ? matrix->stable : runs.stable);
+    const auto crossing = studies::limit_while_crossing(scheme);
+    if (crossing) std::cout << fmt::format("; {:.4f} where particles cross cells", *crossing);
+    double limit = std::min(runs.stable, matrix ? matrix->stable : runs.stable);
+    if (crossing) limit = std::min(limit, *crossing);
     if (!std::isfinite(limit) || limit == 0) return void(std::cout << '\n');
     const double safe = margin * limit;
     std::cout << fmt::format("\nsafe step: courant = {:.3g}, dt = {:.4g} s\n", safe, scheme.plan(safe).dt);

@@ -31,6 +31,7 @@ digest_of(sources_solvers solvers)
 digest_of(sources_oracles oracles)
 digest_of(sources_engine studies/engine)
 digest_of(sources_scenes studies/scenes)
+digest_of(sources_amplification studies/amplification)
 set(text "#pragma once
 namespace ordo::reports::build_facts {
 inline constexpr const char* version = \"${VERSION}\";
@@ -49,6 +50,7 @@ inline constexpr const char* sources_solvers = \"${sources_solvers}\";
 inline constexpr const char* sources_oracles = \"${sources_oracles}\";
 inline constexpr const char* sources_engine = \"${sources_engine}\";
 inline constexpr const char* sources_scenes = \"${sources_scenes}\";
+inline constexpr const char* sources_amplification = \"${sources_amplification}\";
 }
 ")
 if(EXISTS ${OUT})

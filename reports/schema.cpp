@@ -1,12 +1,13 @@
 #include "reports/schema.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "solvers/solver.hpp"
+#include "studies/amplification/figures.hpp"
 #include "studies/engine/scene_entry.hpp"
 #include "studies/engine/study.hpp"
 #include "studies/reader/json_input.hpp"
-#include "studies/amplification/figures.hpp"
 
 namespace ordo::reports {
 namespace {
@@ -91,8 +92,15 @@ Json sweep_schema() {
     Json properties{{"path", words({"space", "time", "joint", "grid"})}};
     properties["coupling"] = object({{"dt", above_zero}, {"power", above_zero}}, {"dt", "power"});
     properties["coupling"]["description"] = "path joint: dt = C h^k, C the member dt, k the member power";
+    std::map<std::string, std::vector<Json>> choices;
     for (const auto& solver : solvers::all_solvers()) {
-        for (const auto& parameter : solver.resolution) properties[parameter.name] = one_or_list(schema_of(parameter));
+        for (const auto& parameter : solver.resolution)
+            choices[parameter.name].push_back(one_or_list(schema_of(parameter)));
+    }
+    // Solvers may differ in what they allow.
+    for (auto& [name, allowed] : choices) {
+        allowed.erase(std::unique(allowed.begin(), allowed.end()), allowed.end());
+        properties[name] = allowed.size() == 1 ? allowed.front() : Json{{"anyOf", allowed}};
     }
     return object(properties, {"path"});
 }

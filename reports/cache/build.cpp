@@ -32,7 +32,8 @@ std::string build_of_figures() {
                                 {"solvers", sources_solvers},
                                 {"oracles", sources_oracles},
                                 {"engine", sources_engine},
-                                {"scenes", sources_scenes}}}};
+                                {"scenes", sources_scenes},
+                                {"amplification", sources_amplification}}}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -71,7 +71,8 @@ std::string head(const Result& result, const Grid& grid, int legend, const std::
 }
 
 std::string style_of(const std::string& quantity, std::size_t colour) {
-    const std::string paint = fmt::format("linecolor '{}'", colours[colour % colours.size()]);
+    const std::string paint =
+        fmt::format("dashtype {} linecolor '{}'", 1 + colour / colours.size(), colours[colour % colours.size()]);
     if (quantity == "limit_by_matrix") return "with points pointtype 7 pointsize 0.8 " + paint;
     if (quantity == "limit_by_runs") return "with points pointtype 6 pointsize 1.5 linewidth 1.5 " + paint;
     if (quantity == "limit_by_theory") return "with lines linewidth 1.5 " + paint;
@@ -226,7 +227,9 @@ std::string curves_script(const Result& result, PlotFormat format, const std::st
         plots[k] = "set title " + quoted(clipped(heading, 40)) + " noenhanced font ',10' offset 0,-0.7\n";
         plots[k] += parts.empty() ? "plot NaN notitle" : "plot " + joined(parts, ", \\\n     ");
     }
-    const int legend = 20 * static_cast<int>((keys.size() + 3) / 4);
+    const bool wide = std::ranges::any_of(keys, [](const std::string& key) { return key.size() > 24; });
+    const std::size_t columns = wide ? 2 : 4;
+    const int legend = 20 * static_cast<int>((keys.size() + columns - 1) / columns);
     const Grid grid = grid_of(panels, legend);
     std::string text = opening(format, grid.height, picture) + data + head(result, grid, legend, axis);
     if (is_geometric(result.study, axis)) text += "set logscale x 2\n";
@@ -234,8 +237,8 @@ std::string curves_script(const Result& result, PlotFormat format, const std::st
     for (std::size_t k = 0; k < panels; ++k) {
         text += plots[k];
         for (std::size_t i = 0; k == 0 && i < keys.size(); ++i)
-            text += fmt::format(", \\\n     keyentry with points pointtype 5 linecolor '{}' title {}",
-                                colours[i % colours.size()], quoted(keys[i]));
+            text += fmt::format(", \\\n     keyentry with lines linewidth 2 dashtype {} linecolor '{}' title {}",
+                                1 + i / colours.size(), colours[i % colours.size()], quoted(keys[i]));
         text += "\n";
         if (k == 0) text += "unset label 1\nunset key\n";
     }
@@ -245,7 +248,7 @@ std::string curves_script(const Result& result, PlotFormat format, const std::st
 std::string map_script(const Result& result, PlotFormat format, const std::string& picture) {
     const std::string axis = main_axis(result.study, "courant");
     const auto solvers = solvers_of(result.study);
-    const Grid grid = grid_of(solvers.size(), 20);
+    const Grid grid = grid_of(solvers.size(), 40);
     std::string data, body;
     for (std::size_t k = 0; k < solvers.size(); ++k) {
         const MapPanel panel = panel_of(result, solvers[k], axis);
@@ -280,8 +283,8 @@ std::string map_script(const Result& result, PlotFormat format, const std::strin
         body += "plot " + joined(parts, ", \\\n     ") + "\n";
         if (k == 0) body += "unset label 1\nunset key\n";
     }
-    std::string text = opening(format, grid.height, picture) + data + head(result, grid, 20, axis);
-    text += "set key maxrows 1\nset ylabel 'Courant number' offset 1.5,0\nset xrange [-0.5:" +
+    std::string text = opening(format, grid.height, picture) + data + head(result, grid, 40, axis);
+    text += "set key maxrows 2\nset ylabel 'Courant number' offset 1.5,0\nset xrange [-0.5:" +
             shortest(static_cast<double>(values_of(result.study, axis).size()) - 0.5) + "]\nset xtics (";
     std::vector<std::string> tics;
     const auto across = values_of(result.study, axis);

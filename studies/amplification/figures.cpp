@@ -13,13 +13,13 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What a figure is found from, and where it says what else it saw.
+/// What a figure is found from, and the run in which it says what else it saw.
 struct Question {
     Scheme scheme;
     Stability asked;
     double courant;  ///< of the resolution; that of the planned step
     const solvers::Interrupt& interrupt;
-    std::string& reason;
+    Run& run;
 };
 
 double finite_or_none(double value) { return std::isfinite(value) ? value : none; }
@@ -29,13 +29,14 @@ double by_runs(const Question& of) {
     const auto is_stable = [&](double courant) { return growths.at(courant, false).kind == Growth::Class::stable; };
     const Limit limit = first_limit(is_stable, of.asked);
     if (!std::isfinite(limit.value())) {
-        of.reason = fmt::format("stable in the whole bracket, to a Courant number of {}", of.asked.to);
+        of.run.reason = fmt::format("stable in the whole bracket, to a Courant number of {}", of.asked.to);
         return none;
     }
     const Growth beyond = growths.at(limit.unstable, true);
-    of.reason = beyond.kind == Growth::Class::blown_up
-                    ? fmt::format("at a Courant number of {:.4g}: {}", limit.unstable, beyond.why)
-                    : fmt::format("at a Courant number of {:.4g} it grows {:.3g} times", limit.unstable, beyond.growth);
+    of.run.reason =
+        beyond.kind == Growth::Class::blown_up
+            ? fmt::format("at a Courant number of {:.4g}: {}", limit.unstable, beyond.why)
+            : fmt::format("at a Courant number of {:.4g} it grows {:.3g} times", limit.unstable, beyond.growth);
     return limit.value();
 }
 
@@ -45,11 +46,13 @@ double by_theory(const Question& of) { return limit_by_theory(of.scheme).value_o
 
 double largest_eigenvalue(const Question& of) { return radius(OneStep(of.scheme), of.scheme, of.courant); }
 
-/// What blows up ends the run as such.
+/// A run that blows up is a diverged one, which has its other figures all the same.
 double growth(const Question& of) {
     const Growth found = Growths(of.scheme, of.asked, of.interrupt).at(of.courant, true);
-    if (found.kind == Growth::Class::blown_up) throw solvers::Diverged(found.why);
-    return found.growth;
+    if (found.kind != Growth::Class::blown_up) return found.growth;
+    of.run.status = Status::diverged;
+    of.run.reason = found.why;
+    return none;
 }
 
 struct Figure {
@@ -100,7 +103,7 @@ void find_stability(const RunSpec& spec, const Parts& parts, const solvers::Inte
                       .asked = *spec.measure.stability,
                       .courant = spec.courant,
                       .interrupt = interrupt,
-                      .reason = run.reason};
+                      .run = run};
     for (const auto& quantity : spec.measure.quantities)
         run.errors.push_back({quantity.key(), figure_named(quantity.key()).find(of)});
 }

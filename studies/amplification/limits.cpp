@@ -117,13 +117,14 @@ std::string growing_mode(const Scheme& scheme, double courant) {
     Eigen::Index largest = 0;
     solver.eigenvalues().cwiseAbs().maxCoeff(&largest);
     const Eigen::VectorXcd mode = solver.eigenvectors().col(largest);
-    // Turned so that its largest entry is real, a standing wave is real.
+    // Strains, which a grid of tents makes alike all over a cell; turned so that the largest one is real.
+    const Eigen::VectorXcd strains = mode.tail(step.points());
     Eigen::Index top = 0;
-    mode.head(step.points()).cwiseAbs().maxCoeff(&top);
-    const Eigen::VectorXd v = (mode.head(step.points()) / mode[top]).real();
+    strains.cwiseAbs().maxCoeff(&top);
+    const Eigen::VectorXd e = (strains / strains[top]).real();
     const int cells = scheme.resolution.whole("cells");
     std::vector<double> means(static_cast<std::size_t>(cells));
-    for (Eigen::Index p = 0; p < v.size(); ++p) means[static_cast<std::size_t>(p * cells / v.size())] += v[p];
+    for (Eigen::Index p = 0; p < e.size(); ++p) means[static_cast<std::size_t>(p * cells / e.size())] += e[p];
     int turns = 0;
     for (std::size_t k = 1; k < means.size(); ++k) turns += means[k] * means[k - 1] < 0;
     if (turns == 0) return "a mode without a node";
@@ -135,6 +136,20 @@ std::optional<double> limit_by_theory(const Scheme& scheme) {
     if (!std::holds_alternative<solvers::SolidScene<1>>(scheme.scene)) return {};
     if (scheme.solver->name == "mpm") return tents_by_theory(scheme);
     return scheme.solver->name == "fem" ? elements_by_theory(scheme) : std::nullopt;
+}
+
+std::optional<double> limit_while_crossing(const Scheme& scheme) {
+    if (scheme.solver->name != "mpm" || is(scheme, "frame", "total") || !limit_by_theory(scheme)) return {};
+    double smallest = std::numeric_limits<double>::infinity();
+    Scheme moved = scheme;
+    for (int k = 0; k <= 7; ++k) {
+        Given given = scheme.resolution.all();
+        given.insert_or_assign("shift", 0.07 * k);
+        given.insert_or_assign("spread", 1.0);
+        moved.resolution = Values(given);
+        smallest = std::min(smallest, *limit_by_theory(moved));
+    }
+    return smallest;
 }
 
 }  // namespace ordo::studies

@@ -38,6 +38,10 @@ struct Wave {
 };
 Wave longest_wave(const Scheme& scheme, double courant);
 
+/// The smallest closed form for these particles shifted in their cells, by up to 0.49 of what each stands for: what a
+/// body meets that moves through its grid. Nothing where none is known, or where they never move in their cells.
+std::optional<double> limit_while_crossing(const Scheme& scheme);
+
 /// What grows fastest at this Courant number: "the saw-tooth mode", "a wave of about 3.2 cells".
 std::string growing_mode(const Scheme& scheme, double courant);
 

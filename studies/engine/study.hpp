@@ -67,7 +67,7 @@ struct Stability {
     double from = 0.1;        ///< bracket of Courant numbers
     double to = 4;
     double tolerance = 1e-3;  ///< of a Courant number
-    double growth = 10;       ///< of the norm, over its largest at the lower end of the bracket, that is too much
+    double growth = 1000;     ///< of the norm, over its largest at the lower end of the bracket, that is too much
     bool as_scene = false;    ///< the scene's own motion and loads; else a body at rest with noise of 1e-9 c
 };
 

@@ -26,8 +26,10 @@ struct Motion {
 
     bool free_end() const { return bar.ends == BarVibration::Ends::fixed_free; }
     double transit() const { return bar.L / std::sqrt(bar.E / bar.rho); }  ///< a wave's travel time over the bar [s]
-    double half_waves() const { return free_end() ? bar.mode - 0.5 : bar.mode; }  ///< that lie on the bar
-    double half_wave() const { return bar.L / half_waves(); }                     ///< [m]
+    int lobes() const { return bar.ends == BarVibration::Ends::periodic ? 2 * bar.mode : bar.mode; }
+    /// That lie on the bar.
+    double half_waves() const { return free_end() ? bar.mode - 0.5 : lobes(); }
+    double half_wave() const { return bar.L / half_waves(); }  ///< [m]
 
     /// The stated accuracy, relative to the amplitude: 2 ulp times (1 + kX + omega t), phases counted in half waves.
     double accuracy(double X, double t) const {
@@ -118,26 +120,26 @@ inline Defect boundary_data(const Motion& motion) {
     return defect;
 }
 
-/// At t = 0: u = 0; the velocity has `mode` lobes of height v0 and alternating sign, half a wave apart, the first one
-/// v0 itself; it is nowhere larger, and between them it passes zero mode - 1 times.
+/// At t = 0: u = 0; the velocity has lobes of height v0 and alternating sign, half a wave apart, the first one
+/// v0 itself; it is nowhere larger, and between them it passes zero.
 inline Defect initial_data(const Motion& motion) {
     const double v0 = motion.bar.v0;
     const double u_scale = largest(motion, motion.displacement);
     Defect defect;
-    for (int lobe = 0; lobe < motion.bar.mode; ++lobe) {
+    for (int lobe = 0; lobe < motion.lobes(); ++lobe) {
         const double X = (lobe + 0.5) * motion.half_wave();
         defect.add(motion.velocity(X, 0) - (lobe % 2 == 0 ? v0 : -v0), motion.accuracy(X, 0) * std::abs(v0),
                    std::abs(v0));
         defect.add(motion.displacement(X, 0), motion.accuracy(X, 0) * u_scale, u_scale);
     }
     int zeros = 0;
-    const int parts = 64 * motion.bar.mode + 1;  // prime to the half waves: no sample sits on a zero
+    const int parts = 64 * motion.lobes() + 1;  // prime to the half waves: no sample sits on a zero
     for (int k = 1; k < parts; ++k) {
         const double here = motion.velocity(motion.bar.L * k / parts, 0);
         if (k > 1) zeros += here * motion.velocity(motion.bar.L * (k - 1) / parts, 0) < 0;
         defect.add(std::max(0.0, std::abs(here / v0) - 1), motion.accuracy(motion.bar.L, 0), 1);
     }
-    defect.add(zeros - (motion.bar.mode - 1), 0, 1);
+    defect.add(zeros - (motion.lobes() - 1), 0, 1);
     return defect;
 }
 
@@ -146,8 +148,8 @@ inline Defect initial_data(const Motion& motion) {
 /// that it takes two round trips, and the 2 mode - 1 quarter waves on the bar repeat as many times as often.
 /// If a smaller T were a period, T would be a whole multiple of it.
 inline Defect period(const Motion& motion) {
-    const double T =
-        motion.free_end() ? 4 * motion.transit() / (2 * motion.bar.mode - 1) : 2 * motion.transit() / motion.bar.mode;
+    const double T = motion.free_end() ? 4 * motion.transit() / (2 * motion.bar.mode - 1)
+                                       : 2 * motion.transit() / motion.half_waves();
     const double scale = largest(motion, motion.displacement);
     Defect defect;
     std::array<double, 8> change{};
