@@ -288,7 +288,8 @@ std::string map_script(const Result& result, PlotFormat format, const std::strin
             shortest(static_cast<double>(values_of(result.study, axis).size()) - 0.5) + "]\nset xtics (";
     std::vector<std::string> tics;
     const auto across = values_of(result.study, axis);
-    for (std::size_t i = 0; i < across.size(); ++i)
+    const std::size_t every = (across.size() + 7) / 8;  // that labels do not meet
+    for (std::size_t i = 0; i < across.size(); i += every)
         tics.push_back(quoted(shortest(across[i])) + " " + std::to_string(i));
     return text + joined(tics) + ")\n" + body + "unset multiplot\nunset output\n";
 }
