@@ -20,6 +20,7 @@
 #include "reports/reference_kernel.hpp"
 #include "reports/report.hpp"
 #include "reports/table/table.hpp"
+#include "studies/amplification/warning.hpp"
 #include "studies/engine/engine.hpp"
 #include "studies/engine/judge.hpp"
 #include "studies/reader/study_reader.hpp"
@@ -177,6 +178,10 @@ int run(const po::variables_map& options, const std::vector<std::string>& files)
         threads, timed, options["why-not-cached"].as<bool>(), options["verbose"].as<bool>(),
         reports::RunCache(options["no-cache"].as<bool>() ? "" : reports::cache_folder(), reports::build_of_figures())};
     if (session.why_not_cached) session.cache.read_entries();
+    for (const auto& job : jobs) {
+        for (const auto& line : studies::beyond_limits(job.study))
+            std::cerr << "ordo: warning: " << one_line(line) << '\n';
+    }
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     const int code = run_jobs(jobs, session);

@@ -46,10 +46,10 @@ double by_theory(const Question& of) { return limit_by_theory(of.scheme).value_o
 
 double largest_eigenvalue(const Question& of) { return radius(OneStep(of.scheme), of.scheme, of.courant); }
 
-/// A run that blows up is a diverged one, which has its other figures all the same.
-double growth(const Question& of) {
+/// Of a run. One that blows up is a diverged one, which has its other figures all the same.
+double of_run(const Question& of, double Growth::*number) {
     const Growth found = Growths(of.scheme, of.asked, of.interrupt).at(of.courant, true);
-    if (found.kind != Growth::Class::blown_up) return found.growth;
+    if (found.kind != Growth::Class::blown_up) return found.*number;
     of.run.status = Status::diverged;
     of.run.reason = found.why;
     return none;
@@ -69,7 +69,10 @@ constexpr std::array figures{
            "the same in closed form where one is known, of particles in tents: on a bar without ends", false,
            by_theory},
     Figure{"spectral_radius", "largest modulus of an eigenvalue of one step", true, largest_eigenvalue},
-    Figure{"growth", "largest norm of a run over that of a run at a small step", true, growth},
+    Figure{"growth", "largest norm of a run over that of a run at a small step", true,
+           [](const Question& of) { return of_run(of, &Growth::growth); }},
+    Figure{"energy_kept", "mean energy in the last quarter of a run over that at its start", true,
+           [](const Question& of) { return of_run(of, &Growth::kept); }},
     Figure{"wave_speed", "speed of the wave as long as a periodic body, over the exact one", true,
            [](const Question& of) { return longest_wave(of.scheme, of.courant).speed; }},
     Figure{"wave_gain", "factor of one step on the amplitude of that wave", true,
