@@ -195,7 +195,7 @@ TEST_CASE("the oldest entries go where there are more than may be kept, and noth
 
 TEST_CASE("what figures follow from names the sources of every room that computes them", "[unit]") {
     const auto facts = studies::Json::parse(build_of_figures());
-    for (const char* room : {"build", "core", "solvers", "oracles", "engine", "scenes"})
+    for (const char* room : {"build", "core", "solvers", "oracles", "engine", "scenes", "amplification"})
         CHECK(facts.at("sources").at(room).get<std::string>().size() == 16);
     CHECK(facts.at("sources").at("core") != facts.at("sources").at("solvers"));
     for (const char* fact : {"compiler", "flags", "c_library", "processor"})
