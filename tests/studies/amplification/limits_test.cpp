@@ -104,6 +104,20 @@ TEST_CASE("limits: runs of noise find the limit of the matrix on the same bar", 
     }
 }
 
+TEST_CASE("runs of noise: bounded below the limit, growing just above it, blown up far beyond", "[alarm]") {
+    const Scheme scheme = periodic({{"stress_update", "usl"}});
+    const Growths growths(scheme, asked, [] { return false; });
+    const double limit = *limit_by_theory(scheme);
+    CHECK(growths.at(0.99 * limit, true).kind == Growth::Class::stable);
+    // 1e-9 grown by less than a million in 660 steps of a radius of about 1.02.
+    const Growth above = growths.at(1.005 * limit, true);
+    CHECK(above.kind == Growth::Class::growing);
+    CHECK(above.growth > 1000);
+    const Growth beyond = growths.at(2 * limit, true);
+    CHECK(beyond.kind == Growth::Class::blown_up);
+    CHECK_THAT(beyond.why, ContainsSubstring("turned inside out"));
+}
+
 TEST_CASE("limits: finite elements have those of their largest frequency", "[property]") {
     const Scheme scheme = bounded("fem", {{"mass", "lumped"}}, {{"cells", 7.0}});
     CHECK(limit_by_matrix(scheme, asked).value() == Approx(*limit_by_theory(scheme)).margin(2e-4));
