@@ -55,8 +55,7 @@ std::string text_of(const Limit& limit, double to) {
 
 /// Nothing for a scheme without a matrix.
 std::optional<Limit> by_matrix(const Scheme& scheme, const Stability& asked) {
-    const bool bar = std::holds_alternative<solvers::SolidScene<1>>(scheme.scene);
-    if (!bar || scheme.solver->carries.empty()) return {};
+    if (!studies::has_matrix(scheme)) return {};
     return studies::limit_by_matrix(scheme, asked);
 }
 

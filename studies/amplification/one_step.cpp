@@ -35,9 +35,17 @@ constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
 }  // namespace
 
+bool has_matrix(const Scheme& scheme) {
+    if (!std::holds_alternative<solvers::SolidScene<1>>(scheme.scene) || scheme.solver->carries.empty()) return false;
+    if (find_parameter(scheme.solver->options, "transfer") == nullptr) return true;
+    const std::string transfer = scheme.options.word("transfer");
+    return transfer != "apic" && transfer != "tpic" && transfer != "mls";
+}
+
 OneStep::OneStep(Scheme scheme) : scheme_(std::move(scheme)), still_(at_rest(scheme_.scene)), c_(wave_speed(still_)) {
-    if (scheme_.solver->carries.empty())
-        throw InputError("", "solver " + scheme_.solver->name + " has no matrix of one step");
+    if (!has_matrix(scheme_))
+        throw InputError("",
+                         "the steps of solver " + scheme_.solver->name + " carry on more than a matrix here knows of");
     h_ = scheme_.plan(1).h;
     std::size_t asked = 0;
     solvers::SolidScene<1> counting = still_;

@@ -8,11 +8,15 @@
 
 namespace ordo::studies {
 
+/// Whether velocities and what else the solver names are all that a step of this scheme carries on: not of transfers
+/// that keep a velocity gradient with each particle.
+bool has_matrix(const Scheme& scheme);
+
 /// What a step carries on, made dimensionless: velocities over c, then strains, or displacements over h, of all points.
 /// Positions are those of the start: about rest, that points move is an effect of second order.
 class OneStep {
 public:
-    /// Throws InputError where the solver says of no field that a step carries it on.
+    /// Throws InputError for a scheme without a matrix.
     explicit OneStep(Scheme scheme);
 
     Eigen::Index points() const { return points_; }

@@ -144,6 +144,9 @@ TEST_CASE("waves: slower than the exact one by an error of second order, and kep
 
 TEST_CASE("stability is asked of bodies that have a matrix and of no others", "[alarm]") {
     CHECK_THROWS_AS(OneStep(scheme_of({}, "fem", {{"sampled_at", "centres"}}, {{"cells", 4.0}})), InputError);
+    for (const auto* transfer : {"apic", "tpic", "mls"})
+        CHECK_THROWS_AS(OneStep(bounded("mpm", {{"transfer", transfer}, {"basis", "quadratic"}}, {{"cells", 4.0}})),
+                        InputError);
     CHECK_THROWS_AS(longest_wave(bounded("mpm", {}, {{"cells", 4.0}}), 0.1), InputError);
     Scheme scheme = periodic({});
     scheme.scene = solvers::ScalarEquation{};
